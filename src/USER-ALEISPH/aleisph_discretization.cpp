@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "aleisph_discretization.h"
+
+#include <cmath>
+
+namespace aleisph {
+
+Discretization::Discretization(const Kernel &kernel, double spacing, Timers &timers) :
+    kernel_(kernel), spacing_(spacing), volume_(std::pow(spacing, kernel.dim())), timers_(timers)
+{
+}
+
+void Discretization::update(int nowned, const double *const *x, const CandidateList &list,
+                            const Role *role)
+{
+  Timers::Scope scope(timers_, Part::STENCIL);
+  stencil_.build(kernel_, nowned, x, list);
+  sort_rows(nowned, role);
+  have_gradient_ = have_laplacian_ = false;
+  counts_.stencil++;
+}
+
+void Discretization::sort_rows(int nowned, const Role *role)
+{
+  fluid_.clear();
+  wall_.clear();
+  buffer_.clear();
+  all_.resize(nowned);
+  for (int i = 0; i < nowned; i++) {
+    all_[i] = i;
+    if (role[i] & WALL)
+      wall_.push_back(i);
+    else if (role[i] & BUFFER)
+      buffer_.push_back(i);
+    else if (role[i] & FLUID)
+      fluid_.push_back(i);
+  }
+}
+
+const GradientWeights &Discretization::gradient()
+{
+  if (!have_gradient_) {
+    Timers::Scope scope(timers_, Part::OPERATORS);
+    gradient_.build(stencil_, volume_);
+    have_gradient_ = true;
+    counts_.gradient++;
+  }
+  return gradient_;
+}
+
+const LaplacianWeights &Discretization::laplacian()
+{
+  if (!have_laplacian_) {
+    const GradientWeights &g = gradient();
+    Timers::Scope scope(timers_, Part::OPERATORS);
+    laplacian_.build(stencil_, g, fluid_, volume_, kernel_, spacing_, LaplacianLimits());
+    have_laplacian_ = true;
+    counts_.laplacian++;
+  }
+  return laplacian_;
+}
+
+}    // namespace aleisph

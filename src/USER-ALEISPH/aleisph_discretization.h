@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   One configuration of particles and what is derived from it: stencil,
+   gradient and Laplacian weights, and the rows by role. The weights are
+   built when they are first asked for after an update, so that a scene
+   pays for what it uses only; while no particle moves nobody calls update()
+   and nothing is built again. counts() says how often each was.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_DISCRETIZATION_H
+#define LMP_ALEISPH_DISCRETIZATION_H
+
+#include "aleisph_operators.h"
+#include "aleisph_timers.h"
+
+namespace aleisph {
+
+struct BuildCounts {
+  long stencil = 0, gradient = 0, laplacian = 0;
+};
+
+class Discretization {
+ public:
+  // volume V = spacing^dim of every particle
+  Discretization(const Kernel &kernel, double spacing, Timers &timers);
+
+  // x, role: owned and ghost particles
+  void update(int nowned, const double *const *x, const CandidateList &list, const Role *role);
+
+  const Kernel &kernel() const { return kernel_; }
+  double spacing() const { return spacing_; }
+  double volume() const { return volume_; }
+
+  const Stencil &stencil() const { return stencil_; }
+  const GradientWeights &gradient();
+  const LaplacianWeights &laplacian();
+
+  // a buffer or wall particle is not in fluid(); a wall particle with
+  // prescribed pressure is in wall()
+  const Rows &fluid() const { return fluid_; }
+  const Rows &wall() const { return wall_; }
+  const Rows &buffer() const { return buffer_; }
+  const Rows &all() const { return all_; }
+
+  const BuildCounts &counts() const { return counts_; }
+  double bytes() const { return stencil_.bytes() + gradient_.bytes() + laplacian_.bytes(); }
+
+ private:
+  void sort_rows(int nowned, const Role *role);
+
+  Kernel kernel_;
+  double spacing_, volume_;
+  Timers &timers_;
+  Stencil stencil_;
+  GradientWeights gradient_;
+  LaplacianWeights laplacian_;
+  bool have_gradient_ = false, have_laplacian_ = false;
+  Rows fluid_, wall_, buffer_, all_;
+  BuildCounts counts_;
+};
+
+}    // namespace aleisph
+#endif

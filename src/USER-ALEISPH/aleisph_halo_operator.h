@@ -1,0 +1,40 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   A matrix of owned rows as a linear operator over all ranks: one halo
+   exchange of one value per particle, then the local product.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_HALO_OPERATOR_H
+#define LMP_ALEISPH_HALO_OPERATOR_H
+
+#include "aleisph_csr.h"
+#include "aleisph_krylov.h"
+#include "fix_aleisph.h"
+
+namespace LAMMPS_NS {
+
+class AleisphHaloOperator : public aleisph::LinearOperator {
+ public:
+  AleisphHaloOperator(const aleisph::CsrMatrix &matrix, FixAleisph &owner) :
+      matrix_(matrix), owner_(owner)
+  {
+  }
+  int rows() const override { return matrix_.rows(); }
+  int columns() const override { return owner_.nall(); }
+  void apply(double *x, double *y) override
+  {
+    owner_.forward(x, 1);
+    matrix_.multiply(x, y);
+  }
+
+ private:
+  const aleisph::CsrMatrix &matrix_;
+  FixAleisph &owner_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Names as in van der Vorst (1992): r residual, r0 shadow residual, p, v
+   = A M p, t = A M s; s overwrites r, y = M p, z = M s.
+
+   remove_mean: A has a constant right null vector, its left null vector is
+   not constant. P = 1 - mean projects b and every product, so that P A x =
+   P b is solved among vectors of zero mean, where it has a solution for
+   any b. The mean of a product is summed together with its dot products,
+   which are corrected for it; r, r0 and p have no mean.
+------------------------------------------------------------------------- */
+
+#include "aleisph_krylov.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aleisph {
+namespace {
+
+constexpr double EPS = std::numeric_limits<double>::epsilon();
+
+// A dot product this small against the lengths of its factors is rounding error.
+bool vanishes(double dot, double length_a, double length_b)
+{
+  return std::fabs(dot) <= EPS * length_a * length_b;
+}
+
+}    // namespace
+
+const char *to_string(SolveStatus status)
+{
+  switch (status) {
+    case SolveStatus::CONVERGED: return "converged";
+    case SolveStatus::ZERO_RHS: return "zero right-hand side";
+    case SolveStatus::MAX_ITERATIONS: return "iteration limit reached";
+    case SolveStatus::BREAKDOWN: return "breakdown";
+    case SolveStatus::NOT_FINITE: return "not finite";
+  }
+  return "unknown";
+}
+
+class BiCGStab::Run {
+ public:
+  Run(BiCGStab &work, LinearOperator &A, Preconditioner &M, const InnerProduct &ip,
+      const KrylovParams &params, double *x);
+  SolveReport solve(const double *b);
+
+ private:
+  // why a cycle, the iterations between two restarts, ended
+  enum class Exit { NONE, CONVERGED, BREAKDOWN, NOT_FINITE, LIMIT };
+
+  bool load_rhs(const double *b);
+  bool stuck(Exit exit, double norm);
+  SolveReport finish(SolveStatus status, double norm);
+  double subtract_mean(double *v);
+  double true_residual();
+
+  Exit cycle(double norm);
+  Exit bicg_step(bool first);
+  Exit stabilize();
+  double turn_shadow(double r_v, double v_length);
+
+  LinearOperator &A_;
+  Preconditioner &M_;
+  const InnerProduct &ip_;
+  const KrylovParams &params_;
+  const int n_, columns_;
+  double *x_;
+  std::vector<double> &b_, &r_, &r0_, &p_, &v_, &t_, &y_, &z_, &best_;
+
+  SolveReport report_;
+  double n_global_ = 0.0, target_ = 0.0, best_norm_ = 0.0, cycle_norm_ = 0.0;
+  int idle_ = 0;
+  double rho_ = 0.0, alpha_ = 0.0, r0_length_ = 0.0;
+};
+
+BiCGStab::Run::Run(BiCGStab &w, LinearOperator &A, Preconditioner &M, const InnerProduct &ip,
+                   const KrylovParams &params, double *x) :
+    A_(A), M_(M), ip_(ip), params_(params), n_(A.rows()), columns_(A.columns()), x_(x), b_(w.b_),
+    r_(w.r_), r0_(w.r0_), p_(w.p_), v_(w.v_), t_(w.t_), y_(w.y_), z_(w.z_), best_(w.best_)
+{
+  for (std::vector<double> *v : {&b_, &r_, &r0_, &p_, &v_, &t_}) v->resize(n_);
+  for (std::vector<double> *v : {&y_, &z_, &best_}) v->resize(columns_);
+}
+
+SolveReport BiCGStab::Run::solve(const double *b)
+{
+  const bool zero = load_rhs(b);
+  if (!std::isfinite(report_.rhs_norm)) {
+    report_.status = SolveStatus::NOT_FINITE;
+    report_.residual = report_.initial_residual = report_.rhs_norm;
+    return report_;
+  }
+  if (zero) {
+    std::fill(x_, x_ + columns_, 0.0);
+    report_.status = SolveStatus::ZERO_RHS;
+    report_.residual = report_.initial_residual = report_.rhs_norm;
+    return report_;
+  }
+
+  target_ = std::max(params_.rtol * report_.rhs_norm, params_.atol);
+  best_norm_ = std::numeric_limits<double>::infinity();
+  double norm = report_.initial_residual = true_residual();
+  for (Exit exit = Exit::NONE;;) {
+    if (norm <= target_) return finish(SolveStatus::CONVERGED, norm);
+    if (exit == Exit::NOT_FINITE || !std::isfinite(norm))
+      return finish(SolveStatus::NOT_FINITE, norm);
+    if (report_.iterations >= params_.max_iterations)
+      return finish(SolveStatus::MAX_ITERATIONS, norm);
+    if (exit != Exit::NONE) {
+      if (stuck(exit, norm)) return finish(SolveStatus::BREAKDOWN, norm);
+      report_.restarts++;
+    }
+    if (norm < best_norm_) {
+      std::copy(x_, x_ + columns_, best_.begin());
+      best_norm_ = norm;
+    }
+    exit = cycle(norm);
+    norm = true_residual();
+  }
+}
+
+// b_ = b, or P b; true if nothing but rounding error is left of it
+bool BiCGStab::Run::load_rhs(const double *b)
+{
+  double sums[3] = {static_cast<double>(n_), 0.0, 0.0};
+  for (int i = 0; i < n_; i++) {
+    b_[i] = b[i];
+    sums[1] += b[i];
+    sums[2] += b[i] * b[i];
+  }
+  ip_.sum(3, sums);
+  n_global_ = std::max(sums[0], 1.0);
+  report_.rhs_norm = std::sqrt(sums[2]);
+  report_.rhs_mean = sums[1] / n_global_;
+  if (!params_.remove_mean || !std::isfinite(sums[2])) return sums[2] == 0.0;
+
+  // twice, as the first mean has the rounding error of a long sum
+  const double mean = subtract_mean(b_.data());
+  report_.rhs_mean = mean + subtract_mean(b_.data());
+  double square = 0.0;
+  for (int i = 0; i < n_; i++) square += b_[i] * b_[i];
+  ip_.sum(1, &square);
+  const double raw_norm = report_.rhs_norm;
+  report_.rhs_norm = std::sqrt(square);
+  return report_.rhs_norm <= 2.0 * EPS * raw_norm;
+}
+
+// A cycle that believed to have converged, but left the true residual (almost) where it was, has
+// met the rounding error of A x; two in a row are the end. Breakdowns have max_restarts attempts.
+bool BiCGStab::Run::stuck(Exit exit, double norm)
+{
+  idle_ = exit == Exit::CONVERGED && norm > 0.5 * cycle_norm_ ? idle_ + 1 : 0;
+  return idle_ == 2 || report_.restarts >= params_.max_restarts;
+}
+
+SolveReport BiCGStab::Run::finish(SolveStatus status, double norm)
+{
+  report_.status = status;
+  report_.residual = norm;
+  if (status != SolveStatus::CONVERGED && best_norm_ < std::numeric_limits<double>::infinity() &&
+      !(norm <= best_norm_)) {
+    std::copy(best_.begin(), best_.end(), x_);
+    report_.residual = best_norm_;
+  }
+  return report_;
+}
+
+// from the owned entries; returns the mean. A NaN stays where it is.
+double BiCGStab::Run::subtract_mean(double *v)
+{
+  double mean = 0.0;
+  for (int i = 0; i < n_; i++) mean += v[i];
+  ip_.sum(1, &mean);
+  mean /= n_global_;
+  if (std::isfinite(mean))
+    for (int i = 0; i < n_; i++) v[i] -= mean;
+  return mean;
+}
+
+// r = b - A x; its norm
+double BiCGStab::Run::true_residual()
+{
+  if (params_.remove_mean) subtract_mean(x_);
+  A_.apply(x_, r_.data());
+  for (int i = 0; i < n_; i++) r_[i] = b_[i] - r_[i];
+  if (params_.remove_mean) subtract_mean(r_.data());
+  double square = 0.0;
+  for (int i = 0; i < n_; i++) square += r_[i] * r_[i];
+  ip_.sum(1, &square);
+  return std::sqrt(square);
+}
+
+// iterations from the true residual r of this norm, with r as shadow residual
+BiCGStab::Run::Exit BiCGStab::Run::cycle(double norm)
+{
+  cycle_norm_ = r0_length_ = norm;
+  rho_ = norm * norm;
+  r0_ = r_;
+  p_ = r_;
+  for (bool first = true;; first = false) {
+    if (report_.iterations >= params_.max_iterations) return Exit::LIMIT;
+    report_.iterations++;
+    const Exit exit = bicg_step(first);
+    if (exit != Exit::NONE) return exit;
+    const Exit end = stabilize();
+    if (end != Exit::NONE) return end;
+  }
+}
+
+// v = A M p, alpha = (r0.r)/(r0.v), s = r - alpha v
+BiCGStab::Run::Exit BiCGStab::Run::bicg_step(bool first)
+{
+  M_.apply(p_.data(), y_.data());
+  A_.apply(y_.data(), v_.data());
+  double sums[3] = {0.0, 0.0, 0.0};
+  for (int i = 0; i < n_; i++) {
+    sums[0] += r0_[i] * v_[i];
+    sums[1] += v_[i] * v_[i];
+    sums[2] += v_[i];
+  }
+  ip_.sum(3, sums);
+  if (!std::isfinite(sums[1])) return Exit::NOT_FINITE;
+  const double mean = params_.remove_mean ? sums[2] / n_global_ : 0.0;
+  const double v_length = std::sqrt(std::max(sums[1] - n_global_ * mean * mean, 0.0));
+  for (int i = 0; i < n_; i++) v_[i] -= mean;
+
+  double r0_v = sums[0];
+  if (vanishes(r0_v, r0_length_, v_length)) {
+    if (!first || v_length == 0.0) return Exit::BREAKDOWN;
+    r0_v = turn_shadow(r0_v, v_length);
+  }
+  alpha_ = rho_ / r0_v;
+  for (int i = 0; i < n_; i++) r_[i] -= alpha_ * v_[i];
+  return Exit::NONE;
+}
+
+// At the start of a cycle r0 = r = p. If then r.v = 0, the shadow r + (|r|/|v|) v is as good as
+// any: it makes an angle of 45 degrees with both r and v. Returns the new r0.v.
+double BiCGStab::Run::turn_shadow(double r_v, double v_length)
+{
+  const double r_length = r0_length_, factor = r_length / v_length;
+  for (int i = 0; i < n_; i++) r0_[i] += factor * v_[i];
+  rho_ += factor * r_v;
+  r0_length_ = std::sqrt(2.0) * r_length;
+  return r_v + r_length * v_length;
+}
+
+// t = A M s, omega = (t.s)/(t.t), x += alpha y + omega z, r = s - omega t, then the next p
+BiCGStab::Run::Exit BiCGStab::Run::stabilize()
+{
+  M_.apply(r_.data(), z_.data());
+  A_.apply(z_.data(), t_.data());
+  double sums[4] = {0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < n_; i++) {
+    sums[0] += t_[i] * r_[i];
+    sums[1] += t_[i] * t_[i];
+    sums[2] += r_[i] * r_[i];
+    sums[3] += t_[i];
+  }
+  ip_.sum(4, sums);
+  if (!std::isfinite(sums[1] + sums[2])) return Exit::NOT_FINITE;
+  const double mean = params_.remove_mean ? sums[3] / n_global_ : 0.0;
+  const double t_t = sums[1] - n_global_ * mean * mean, s_length = std::sqrt(sums[2]);
+  if (s_length <= target_ || t_t <= 0.0) {
+    for (int i = 0; i < n_; i++) x_[i] += alpha_ * y_[i];
+    return s_length <= target_ ? Exit::CONVERGED : Exit::BREAKDOWN;
+  }
+
+  const double t_s = sums[0], omega = t_s / t_t;
+  double next[2] = {0.0, 0.0};
+  for (int i = 0; i < n_; i++) {
+    x_[i] += alpha_ * y_[i] + omega * z_[i];
+    r_[i] -= omega * (t_[i] - mean);
+    next[0] += r_[i] * r_[i];
+    next[1] += r0_[i] * r_[i];
+  }
+  ip_.sum(2, next);
+  const double r_length = std::sqrt(next[0]);
+  if (!std::isfinite(r_length)) return Exit::NOT_FINITE;
+  if (r_length <= target_) return Exit::CONVERGED;
+  if (vanishes(t_s, std::sqrt(t_t), s_length)) return Exit::BREAKDOWN;
+  if (vanishes(next[1], r0_length_, r_length)) return Exit::BREAKDOWN;
+
+  const double beta = next[1] / rho_ * (alpha_ / omega);
+  rho_ = next[1];
+  for (int i = 0; i < n_; i++) p_[i] = r_[i] + beta * (p_[i] - omega * v_[i]);
+  return Exit::NONE;
+}
+
+SolveReport BiCGStab::solve(LinearOperator &A, Preconditioner &M, const InnerProduct &ip,
+                            const double *b, double *x, const KrylovParams &params)
+{
+  return Run(*this, A, M, ip, params, x).solve(b);
+}
+
+double BiCGStab::bytes() const
+{
+  size_t n = 0;
+  for (const std::vector<double> *v : {&b_, &r_, &r0_, &p_, &v_, &t_, &y_, &z_, &best_})
+    n += v->capacity();
+  return static_cast<double>(n) * sizeof(double);
+}
+
+}    // namespace aleisph

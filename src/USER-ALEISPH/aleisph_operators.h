@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Corrected SPH operators of Morikawa, Tsuji & Asai, eqs 8-14.
+     M_i = sum_j V gradW_ij (x) r_ji,   L_i = M_i^-1
+     (grad f)_i = sum_j g_ij (f_j - f_i),   g_ij = V L_i gradW_ij     (9)
+     (lap f)_i  = sum_j a_ij (f_i - f_j),   a_ij = A*_ij              (11-14)
+   Exact for linear (grad) and quadratic (lap) fields on any support whose
+   moments are invertible. V = d^dim is the volume of every particle.
+
+   Conventions: `rows` lists the owned rows to work on; vector fields have
+   3 doubles per particle, v[3*j+a]; input fields must be valid on every
+   particle that is a column of those rows (owned and ghost); output fields
+   are written on `rows` only.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_OPERATORS_H
+#define LMP_ALEISPH_OPERATORS_H
+
+#include "aleisph_roles.h"
+#include "aleisph_stencil.h"
+
+#include <array>
+#include <vector>
+
+namespace aleisph {
+
+using Rows = std::vector<int>;
+
+/* ----------------------------------------------------------------------
+   g_ij [1/length] and lambda_i, the smallest eigenvalue of M_i (0.98-0.99
+   in the bulk, 0.5 at a flat free surface, 0 for an isolated pair).
+   A row whose M cannot be inverted (lambda < min_lambda) gets g_ij = 0 and
+   is counted in singular().
+------------------------------------------------------------------------- */
+class GradientWeights {
+ public:
+  static constexpr double MIN_LAMBDA = 1.0e-8;
+
+  void build(const Stencil &s, double volume);
+
+  const double *g(int a) const { return g_[a].data(); }    // pair array, component a < dim
+  double lambda(int i) const { return lambda_[i]; }
+  int singular() const { return singular_; }
+  double bytes() const;
+
+ private:
+  std::array<std::vector<double>, 3> g_;
+  std::vector<double> lambda_;
+  int singular_ = 0;
+};
+
+/* ----------------------------------------------------------------------
+   When the corrected Laplacian row is not trusted, the row of Morris, Fox
+   & Zhu (1997), a_ij = 2 V (r_ij.gradW_ij)/(r_ij^2 + eta h^2), is used.
+   Its eigenvalues are never positive. Reasons, in the order they are
+   tested and counted (a row counts once):
+     lambda      lambda_i < min_lambda, or M_i is singular
+     condition   2-norm condition number of the B system > max_cond (the
+                 unknowns are scaled so that it does not depend on the axes)
+     diagonal    -d^2 sum_j a_ij < min_diagonal * (value on the full lattice)
+------------------------------------------------------------------------- */
+struct LaplacianLimits {
+  double min_lambda = 0.5;
+  double max_cond = 200.0;
+  double min_diagonal = 0.5;
+  double eta = 0.01;
+};
+
+struct MorrisCount {
+  int lambda = 0, condition = 0, diagonal = 0;
+  int total() const { return lambda + condition + diagonal; }
+};
+
+class LaplacianWeights {
+ public:
+  // builds the rows listed; all other rows are zero. kernel: the one of the
+  // stencil (Morris' eta h^2, value on the full lattice), d: particle spacing.
+  void build(const Stencil &s, const GradientWeights &g, const Rows &rows, double volume,
+             const Kernel &kernel, double d, const LaplacianLimits &limits);
+
+  const double *a() const { return a_.data(); }    // pair array [1/length^2]
+  double diagonal(int i) const { return diagonal_[i]; }    // sum_j a_ij, < 0 for a good row
+  // of the B system; 0 if never built. Where the cheap Frobenius bound |G||G^-1| (up to 6
+  // times the 2-norm value) is within max_cond, that bound; else the 2-norm value.
+  double condition(int i) const { return condition_[i]; }
+  bool morris(int i) const { return morris_[i] != 0; }
+  const MorrisCount &morris_count() const { return count_; }
+  double bytes() const;
+
+ private:
+  std::vector<double> a_, diagonal_, condition_;
+  std::vector<char> morris_;
+  MorrisCount count_;
+};
+
+// -d^2 sum_j a_ij of the corrected Laplacian on the infinite square/cubic
+// lattice of spacing d (2.87 in 2d, 3.56 in 3d for the cubic spline at h = 1.2 d)
+double lattice_diagonal(const Kernel &kernel, double d);
+
+// grad[3*i+a] = (grad f)_i
+void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *f,
+              double *grad);
+
+// div[i] = (div v)_i. For a slip wall neighbour j only the normal part of
+// v_j - v_i counts: the tangential part follows the fluid. normal: 3 doubles
+// per particle, read where role has SLIP; may be null if there is none.
+void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
+                const Role *role, const double *normal, double *div);
+
+// out[3*i+a] = (c_i . grad) v_a
+void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *c,
+                const double *v, double *out);
+
+// out[3*i+a] = (lap v_a)_i, neighbours with role SLIP left out (v_j := v_i)
+void laplacian(const Stencil &s, const LaplacianWeights &w, const Rows &rows, const double *v,
+               const Role *role, double *out);
+
+// out[3*i+a] = (curl v)_i; in 2d only the z component is non-zero if v lies
+// in the plane, and the curl of a z-vector lies in the plane
+void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
+          double *out);
+
+}    // namespace aleisph
+#endif

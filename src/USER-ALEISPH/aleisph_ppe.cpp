@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "aleisph_ppe.h"
+
+#include <cmath>
+
+namespace aleisph {
+namespace {
+
+// the off-diagonal entries of row i of -d^2 lap
+void fluid_row(const Stencil &s, const LaplacianWeights &l, int i, double d, CsrMatrix &A)
+{
+  for (int k = s.begin(i); k < s.end(i); k++) A.val(k) = d * d * l.a()[k];
+}
+
+// of -d n.grad
+void wall_row(const Stencil &s, const GradientWeights &g, const double *n_i, int i, double d,
+              CsrMatrix &A)
+{
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    double n_g = 0.0;
+    for (int a = 0; a < s.dim(); a++) n_g += n_i[a] * g.g(a)[k];
+    A.val(k) = -d * n_g;
+  }
+}
+
+// The row of a derivative has zero sum: a constant pressure has no effect. Summed as
+// CsrMatrix::multiply does, the product with a constant is zero to the last bit.
+double zero_sum_diagonal(const CsrMatrix &A, int i)
+{
+  double sum = 0.0;
+  for (int k = A.begin(i); k < A.end(i); k++) sum += A.val(k);
+  return -sum;
+}
+
+void identity_row(CsrMatrix &A, int i)
+{
+  for (int k = A.begin(i); k < A.end(i); k++) A.val(k) = 0.0;
+  A.diag(i) = 1.0;
+}
+
+RowType wanted_type(Role role)
+{
+  if (role & DIRICHLET) return RowType::DIRICHLET;
+  if (role & WALL) return RowType::WALL;
+  if (role & FLUID) return RowType::FLUID;
+  return RowType::NONE;
+}
+
+// A NaN is not singular: it must reach the solver, which reports it.
+bool singular(RowType type, double diagonal)
+{
+  if (type == RowType::WALL) return std::fabs(diagonal) < MIN_WALL_DIAGONAL;
+  return diagonal == 0.0;
+}
+
+void count(RowType type, PpeRows &rows)
+{
+  if (type == RowType::FLUID) rows.fluid++;
+  if (type == RowType::WALL) rows.wall++;
+  if (type == RowType::DIRICHLET) rows.dirichlet++;
+  if (type == RowType::SINGULAR) rows.singular++;
+}
+
+}    // namespace
+
+PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const LaplacianWeights &l,
+                     const Role *role, const double *normal, double d, CsrMatrix &A,
+                     std::vector<RowType> &type)
+{
+  PpeRows rows;
+  A.reset(s.rows(), s.ptr(), s.col());
+  type.resize(s.rows());
+  for (int i = 0; i < s.rows(); i++) {
+    type[i] = wanted_type(role[i]);
+    if (type[i] == RowType::FLUID) fluid_row(s, l, i, d, A);
+    if (type[i] == RowType::WALL) wall_row(s, g, normal + 3 * i, i, d, A);
+    if (type[i] == RowType::FLUID || type[i] == RowType::WALL) {
+      A.diag(i) = zero_sum_diagonal(A, i);
+      if (singular(type[i], A.diag(i))) type[i] = RowType::SINGULAR;
+    }
+    if (type[i] != RowType::FLUID && type[i] != RowType::WALL) identity_row(A, i);
+    count(type[i], rows);
+  }
+  return rows;
+}
+
+void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
+             const double *vwall, const double *div, const double *p, double d,
+             double rho_over_dt, double *b)
+{
+  const int n = static_cast<int>(type.size());
+  for (int i = 0; i < n; i++) {
+    b[i] = 0.0;
+    if (type[i] == RowType::FLUID) b[i] = -d * d * rho_over_dt * div[i];
+    if (type[i] == RowType::DIRICHLET) b[i] = p[i];
+    if (type[i] == RowType::WALL) {
+      double v_n = 0.0;
+      for (int a = 0; a < 3; a++)
+        v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];
+      b[i] = -d * rho_over_dt * v_n;
+    }
+  }
+}
+
+}    // namespace aleisph

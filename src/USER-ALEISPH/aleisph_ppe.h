@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   The pressure Poisson equation, Morikawa, Tsuji & Asai eqs 5 and 15-18:
+     fluid      -d^2 (lap p)_i       = -d^2 rho0/dt (div v*)_i
+     wall       -d (n.grad p)_i      = -d rho0/dt (v*_i - v_wall).n_i
+     dirichlet  p_i                  = p_prescribed
+   Rows are scaled by d^2 and d, so that every entry is of order one, every
+   diagonal is positive and a residual r [pressure] means, times
+   dt^2/(rho0 d^2), an error of |div v| dt in the fluid or of |v.n| dt/d at
+   the wall. A singular wall row (|diagonal| < MIN_WALL_DIAGONAL) becomes
+   p = 0 and is counted; so does a fluid row without neighbours.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_PPE_H
+#define LMP_ALEISPH_PPE_H
+
+#include "aleisph_csr.h"
+#include "aleisph_operators.h"
+
+namespace aleisph {
+
+enum class RowType : char { NONE, FLUID, WALL, DIRICHLET, SINGULAR };
+
+struct PpeRows {
+  int fluid = 0, wall = 0, dirichlet = 0, singular = 0;
+};
+
+constexpr double MIN_WALL_DIAGONAL = 0.1;
+
+// role: owned and ghost; normal: 3 doubles per particle, read on wall rows.
+// type: one entry per owned row, written.
+PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const LaplacianWeights &l,
+                     const Role *role, const double *normal, double d, CsrMatrix &A,
+                     std::vector<RowType> &type);
+
+// vstar: v* on fluid and wall; vwall: wall velocity v_wall on wall rows (3 doubles
+// per particle); div: (div v*) on fluid rows; p: prescribed on dirichlet rows.
+void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
+             const double *vwall, const double *div, const double *p, double d,
+             double rho_over_dt, double *b);
+
+}    // namespace aleisph
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Preconditioners that a rank builds from its own rows: none, jacobi, ilu0
+   (Meijerink & van der Vorst, Math. Comput. 31 (1977) 148; couplings to
+   ghosts are left out, so that ranks do not talk).
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_PRECOND_H
+#define LMP_ALEISPH_PRECOND_H
+
+#include "aleisph_csr.h"
+#include "aleisph_krylov.h"
+
+#include <memory>
+#include <string>
+
+namespace aleisph {
+
+enum class PrecondType { NONE, JACOBI, ILU0 };
+
+bool parse_precond(const std::string &name, PrecondType &type);
+const char *precond_names();    // for error messages
+
+// Built from the values A has now; A may change afterwards. A zero pivot
+// (relative to the row) is replaced by the row's diagonal magnitude and
+// counted in replaced_pivots.
+struct PrecondReport {
+  int replaced_pivots = 0;
+  double bytes = 0.0;
+};
+std::unique_ptr<Preconditioner> make_preconditioner(PrecondType type, const CsrMatrix &A,
+                                                    PrecondReport &report);
+
+}    // namespace aleisph
+#endif

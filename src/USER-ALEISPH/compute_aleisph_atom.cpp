@@ -1,0 +1,119 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "compute_aleisph_atom.h"
+
+#include "atom.h"
+#include "error.h"
+#include "fix_aleisph.h"
+#include "memory.h"
+#include "update.h"
+#include "utils.h"
+
+using namespace LAMMPS_NS;
+
+ComputeAleisphAtom::ComputeAleisphAtom(LAMMPS *lmp, int narg, char **arg) :
+    Compute(lmp, narg, arg), owner_(nullptr), nmax_(0)
+{
+  if (narg < 4) utils::missing_cmd_args(FLERR, "compute aleisph/atom", error);
+  for (int iarg = 3; iarg < narg; iarg++) {
+    Field field;
+    if (!parse(arg[iarg], field))
+      error->all(FLERR,
+                 "Compute aleisph/atom: unknown field {}, use p, divv, lambda, cond, nx, ny, nz, "
+                 "row or nneigh",
+                 arg[iarg]);
+    fields_.push_back(field);
+  }
+  peratom_flag = 1;
+  size_peratom_cols = fields_.size() == 1 ? 0 : static_cast<int>(fields_.size());
+}
+
+ComputeAleisphAtom::~ComputeAleisphAtom()
+{
+  memory->destroy(vector_atom);
+  memory->destroy(array_atom);
+}
+
+bool ComputeAleisphAtom::parse(const std::string &word, Field &field)
+{
+  static const char *const names[] = {"p",  "divv", "lambda", "cond",  "nx",
+                                      "ny", "nz",   "row",    "nneigh"};
+  for (int k = 0; k < 9; k++)
+    if (word == names[k]) {
+      field = static_cast<Field>(k);
+      return true;
+    }
+  return false;
+}
+
+void ComputeAleisphAtom::init()
+{
+  owner_ = FixAleisph::find(lmp, "Compute aleisph/atom");
+}
+
+void ComputeAleisphAtom::compute_peratom()
+{
+  invoked_peratom = update->ntimestep;
+  if (owner_->discretization().stencil().rows() != atom->nlocal)
+    error->all(FLERR, "Compute aleisph/atom: no stencil for the present particles; use run 0 first");
+  const int ncols = static_cast<int>(fields_.size());
+  if (atom->nmax > nmax_) {
+    nmax_ = atom->nmax;
+    memory->destroy(vector_atom);
+    memory->destroy(array_atom);
+    if (ncols == 1)
+      memory->create(vector_atom, nmax_, "aleisph/atom:vector_atom");
+    else
+      memory->create(array_atom, nmax_, ncols, "aleisph/atom:array_atom");
+  }
+  if (nmax_ == 0) return;
+  double *out = ncols == 1 ? vector_atom : &array_atom[0][0];
+  for (int c = 0; c < ncols; c++) fill(fields_[c], out + c, ncols);
+}
+
+void ComputeAleisphAtom::fill(Field field, double *out, int stride)
+{
+  if (field == Field::DIVV) {
+    fill_divergence(out, stride);
+    return;
+  }
+  for (int i = 0; i < atom->nlocal; i++)
+    out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? value(field, i) : 0.0;
+}
+
+void ComputeAleisphAtom::fill_divergence(double *out, int stride)
+{
+  auto &disc = owner_->discretization();
+  double *v = owner_->velocity();
+  owner_->forward(v, 3);
+  std::vector<double> div(atom->nlocal, 0.0);
+  aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), v, owner_->role(),
+                      owner_->normal(), div.data());
+  for (int i = 0; i < atom->nlocal; i++)
+    out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? div[i] : 0.0;
+}
+
+double ComputeAleisphAtom::value(Field field, int i)
+{
+  auto &disc = owner_->discretization();
+  const auto &s = disc.stencil();
+  switch (field) {
+    case Field::P: return owner_->pressure()[i];
+    case Field::LAMBDA: return disc.gradient().lambda(i);
+    case Field::COND: return disc.laplacian().condition(i);
+    case Field::NX: return owner_->normal()[3 * i];
+    case Field::NY: return owner_->normal()[3 * i + 1];
+    case Field::NZ: return owner_->normal()[3 * i + 2];
+    case Field::NNEIGH: return s.end(i) - s.begin(i);
+    default: return owner_->row_types().empty() ? 0 : static_cast<int>(owner_->row_types()[i]);
+  }
+}
+
+double ComputeAleisphAtom::memory_usage()
+{
+  return sizeof(double) * static_cast<double>(nmax_) * fields_.size();
+}

@@ -1,0 +1,496 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+using aleisph::Role;
+
+namespace {
+
+constexpr char FIELD_FIX[] = "ALEISPH_P";
+constexpr char FIELD_NAME[] = "aleisph_p";
+// masses are typed or printed with seven digits at least
+constexpr double MASS_TOLERANCE = 1.0e-6;
+
+class MpiInnerProduct : public aleisph::InnerProduct {
+ public:
+  MpiInnerProduct(MPI_Comm comm, aleisph::Timers &timers) : comm_(comm), timers_(timers) {}
+  void sum(int n, double *values) const override
+  {
+    aleisph::Timers::Scope scope(timers_, Part::COMM);
+    MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, comm_);
+  }
+
+ private:
+  MPI_Comm comm_;
+  aleisph::Timers &timers_;
+};
+
+// position of a style in the order that a script must follow, -1 if not one of ours
+int rank_in_script(const std::string &style)
+{
+  static const char *const order[] = {"aleisph", "aleisph/wall", "aleisph/pressure",
+                                      "aleisph/predictor", "aleisph/ppe"};
+  static const int rank[] = {0, 1, 1, 2, 3};
+  for (int k = 0; k < 5; k++)
+    if (style == order[k]) return rank[k];
+  return -1;
+}
+
+}    // namespace
+
+/* ---------------------------------------------------------------------- */
+
+FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
+    list_(nullptr), moving_(false), pressure_valid_(false), own_cutoff_(0.0), version_(0),
+    halo_field_(nullptr), halo_ncomp_(0)
+{
+  parse(narg, arg);
+
+  comm_forward = 3;
+  restart_global = 1;
+  vector_flag = 1;
+  size_vector = 13;
+  global_freq = 1;
+  extvector = 0;
+
+  const aleisph::Kernel kernel(params_.kernel, domain->dimension, params_.h_over_d * spacing_);
+  discretization_ = std::make_unique<aleisph::Discretization>(kernel, spacing_, timers_);
+  inner_product_ = std::make_unique<MpiInnerProduct>(world, timers_);
+}
+
+FixAleisph::~FixAleisph()
+{
+  if (modify && modify->get_fix_by_id(FIELD_FIX)) modify->delete_fix(FIELD_FIX);
+}
+
+void FixAleisph::parse(int narg, char **arg)
+{
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph " + key, error);
+    const char *value = arg[iarg + 1];
+    if (key == "spacing") {
+      spacing_ = utils::numeric(FLERR, value, false, lmp);
+      if (!(spacing_ > 0.0) || !std::isfinite(spacing_))
+        error->all(FLERR, "Fix aleisph: spacing must be positive, not {}", value);
+    } else if (key == "kernel") {
+      if (!aleisph::Kernel::parse(value, params_.kernel))
+        error->all(FLERR, "Fix aleisph: unknown kernel {}, use one of {}", value,
+                   aleisph::Kernel::names());
+    } else if (key == "h/d") {
+      params_.h_over_d = utils::numeric(FLERR, value, false, lmp);
+      if (!(params_.h_over_d >= 0.8) || !(params_.h_over_d <= 3.0))
+        error->all(FLERR, "Fix aleisph: h/d must lie between 0.8 and 3, not {}", value);
+    } else if (key == "rho0") {
+      fluid_.rho0 = utils::numeric(FLERR, value, false, lmp);
+      if (!(fluid_.rho0 > 0.0) || !std::isfinite(fluid_.rho0))
+        error->all(FLERR, "Fix aleisph: rho0 must be positive, not {}", value);
+    } else if (key == "fluid") {
+      read_fluid_file(value);
+    } else
+      error->all(FLERR, "Fix aleisph: unknown keyword {}", key);
+  }
+  if (spacing_ == 0.0) error->all(FLERR, "Fix aleisph: keyword spacing is required");
+  if (fluid_.rho0 == 0.0) error->all(FLERR, "Fix aleisph: keyword rho0 or fluid is required");
+}
+
+void FixAleisph::read_fluid_file(const char *filename)
+{
+  std::string message, units;
+  if (comm->me == 0) {
+    const std::string path = utils::get_potential_file_path(filename);
+    std::ifstream in(path);
+    if (path.empty() || !in) {
+      message = "cannot be opened (looked here and in LAMMPS_POTENTIALS)";
+    } else {
+      units = utils::get_potential_units(path, "fluid property");
+      message = aleisph::read_fluid(in, fluid_);
+      if (message.empty() && units != update->unit_style)
+        message = fmt::format("is in units '{}' but the script uses units {}", units,
+                              update->unit_style);
+    }
+  }
+  double values[3] = {fluid_.rho0, fluid_.nu, fluid_.sigma};
+  MPI_Bcast(values, 3, MPI_DOUBLE, 0, world);
+  fluid_ = {values[0], values[1], values[2]};
+
+  int length = message.size();
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  message.resize(length);
+  MPI_Bcast(&message[0], length, MPI_CHAR, 0, world);
+  if (length) error->all(FLERR, "Fix aleisph: fluid property file {} {}", filename, message);
+}
+
+int FixAleisph::setmask()
+{
+  return PRE_FORCE;
+}
+
+void FixAleisph::post_constructor()
+{
+  modify->add_fix(fmt::format("{} all property/atom d_{} ghost yes writedata no", FIELD_FIX,
+                              FIELD_NAME));
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixAleisph *FixAleisph::find(LAMMPS *lmp, const std::string &caller)
+{
+  const auto owners = lmp->modify->get_fix_by_style("^aleisph$");
+  if (owners.empty())
+    lmp->error->all(FLERR, "{} needs a fix aleisph, defined before it", caller);
+  if (owners.size() > 1)
+    lmp->error->all(FLERR, "{}: there are {} fixes of style aleisph, there must be one", caller,
+                    owners.size());
+  return dynamic_cast<FixAleisph *>(owners[0]);
+}
+
+void FixAleisph::add_role(Role role, int bit)
+{
+  role_groups_.emplace_back(role, bit);
+}
+
+void FixAleisph::add_velocity_condition(AleisphVelocityCondition *condition)
+{
+  conditions_.push_back(condition);
+}
+
+double FixAleisph::particle_mass() const
+{
+  return fluid_.rho0 * discretization_->volume();
+}
+
+int FixAleisph::nall() const
+{
+  return atom->nlocal + atom->nghost;
+}
+
+double *FixAleisph::pressure()
+{
+  int flag, cols;
+  return atom->dvector[atom->find_custom(FIELD_NAME, flag, cols)];
+}
+
+double *FixAleisph::velocity()
+{
+  return atom->nmax ? &atom->v[0][0] : nullptr;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisph::init()
+{
+  FixAleisph::find(lmp, "Fix aleisph");
+  role_groups_.clear();
+  conditions_.clear();
+  moving_ = false;
+
+  check_integrator();
+  check_fix_order();
+  set_cutoff();
+  neighbor->add_request(this, NeighConst::REQ_FULL)
+      ->set_cutoff(discretization_->kernel().support());
+  timers_.reset();
+}
+
+void FixAleisph::init_list(int, NeighList *list)
+{
+  list_ = list;
+}
+
+void FixAleisph::check_integrator() const
+{
+  if (update->whichflag == 2)
+    error->all(FLERR, "Fix aleisph cannot be used with minimize; unfix it first");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix aleisph cannot be used with run_style respa; use run_style verlet");
+  if (utils::strmatch(update->unit_style, "^(real|metal|electron)$"))
+    error->all(FLERR, "Fix aleisph cannot be used with units {}; use lj, si, cgs, micro or nano",
+               update->unit_style);
+  if (neighbor->exclude)
+    error->all(FLERR, "Fix aleisph cannot be used with neigh_modify exclude: particles would miss "
+                      "neighbors; remove the exclusion");
+  if (comm->mode != Comm::SINGLE)
+    error->all(FLERR, "Fix aleisph needs comm_modify mode single");
+  if (!atom->tag_enable) error->all(FLERR, "Fix aleisph needs atom IDs");
+}
+
+void FixAleisph::check_fix_order() const
+{
+  const Fix *last = nullptr;
+  const Fix *predictor = nullptr;
+  for (const Fix *fix : modify->get_fix_list()) {
+    // forces must be complete when the predictor reads them during setup
+    if (predictor && (modify->fmask[modify->find_fix(fix->id)] & POST_FORCE))
+      error->all(FLERR, "Fix {} ({}) changes forces and must be defined before fix {} ({})",
+                 fix->id, fix->style, predictor->id, predictor->style);
+    const int rank = rank_in_script(fix->style);
+    if (rank < 0) continue;
+    if (last && rank < rank_in_script(last->style))
+      error->all(FLERR, "Fix {} ({}) must be defined before fix {} ({})", fix->id, fix->style,
+                 last->id, last->style);
+    last = fix;
+    if (strcmp(fix->style, "aleisph/predictor") == 0) predictor = fix;
+  }
+}
+
+void FixAleisph::set_cutoff()
+{
+  const double needed = discretization_->kernel().support() + neighbor->skin;
+  if (comm->cutghostuser == 0.0 || comm->cutghostuser == own_cutoff_) {
+    comm->cutghostuser = own_cutoff_ = needed;
+  } else if (comm->cutghostuser < needed) {
+    error->all(FLERR,
+               "Fix aleisph: communication cutoff {} is smaller than support + skin; use "
+               "comm_modify cutoff {} or none at all",
+               comm->cutghostuser, needed);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisph::setup_pre_force(int)
+{
+  check_atoms();
+  rebuild();
+}
+
+void FixAleisph::pre_force(int)
+{
+  if (neighbor->ago == 0 || positions_changed()) rebuild();
+}
+
+bool FixAleisph::positions_changed()
+{
+  if (moving_) return true;
+  const std::size_t n = 3 * static_cast<std::size_t>(nall());
+  int changed = 0;
+  if (x_built_.size() != n)
+    changed = 1;
+  else if (n)
+    changed = std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0;
+  int any;
+  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
+}
+
+void FixAleisph::rebuild()
+{
+  assign_roles();
+  const int n = nall();
+  normal_.assign(3 * n, 0.0);
+  vstar_.assign(3 * n, 0.0);
+  row_types_.clear();
+  discretization_->update(atom->nlocal, atom->x, {list_->numneigh, list_->firstneigh, NEIGHMASK},
+                          role_.data());
+  if (const long coincident = sum(discretization_->stencil().coincident()))
+    error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
+  if (moving_ || n == 0)
+    x_built_.clear();
+  else
+    x_built_.assign(&atom->x[0][0], &atom->x[0][0] + 3 * n);
+  version_++;
+}
+
+// The first atom, on any rank, for which something is wrong is named by its ID
+static tagint largest(MPI_Comm world, tagint tag)
+{
+  tagint all;
+  MPI_Allreduce(&tag, &all, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  return all;
+}
+
+void FixAleisph::assign_roles()
+{
+  const int n = nall();
+  const int *mask = atom->mask;
+  role_.assign(n, 0);
+  for (const auto &entry : role_groups_)
+    for (int i = 0; i < n; i++)
+      if (mask[i] & entry.second) role_[i] |= entry.first;
+
+  tagint none = 0, both = 0, open = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Role r = role_[i];
+    if (!(mask[i] & groupbit) || !(r & (aleisph::FLUID | aleisph::WALL))) none = atom->tag[i];
+    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) both = atom->tag[i];
+    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) open = atom->tag[i];
+  }
+  if ((none = largest(world, none)))
+    error->all(FLERR,
+               "Fix aleisph: atom {} is neither fluid (group of fix aleisph/predictor) nor wall "
+               "(group of fix aleisph/wall), or not in group {}",
+               none, group->names[igroup]);
+  if ((both = largest(world, both)))
+    error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", both);
+  if ((open = largest(world, open)))
+    error->all(FLERR, "Fix aleisph: buffer atom {} is not in the group of its fix aleisph/pressure",
+               open);
+}
+
+void FixAleisph::check_atoms()
+{
+  tagint nan = 0, plane = 0, heavy = 0;
+  const double m = particle_mass();
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *const x = atom->x[i], *const v = atom->v[i];
+    for (int a = 0; a < 3; a++)
+      if (!std::isfinite(x[a]) || !std::isfinite(v[a])) nan = atom->tag[i];
+    if (domain->dimension == 2 && v[2] != 0.0) plane = atom->tag[i];
+    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    if (std::fabs(mass - m) > MASS_TOLERANCE * m) heavy = atom->tag[i];
+  }
+  if ((nan = largest(world, nan)))
+    error->all(FLERR, "Fix aleisph: position or velocity of atom {} is not finite", nan);
+  if ((plane = largest(world, plane)))
+    error->all(FLERR,
+               "Fix aleisph: atom {} has a velocity in z in a 2d simulation; use velocity set or "
+               "fix enforce2d",
+               plane);
+  if ((heavy = largest(world, heavy)))
+    error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}", heavy,
+               domain->dimension, m);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisph::forward(double *field, int ncomp)
+{
+  aleisph::Timers::Scope scope(timers_, Part::COMM);
+  halo_field_ = field;
+  halo_ncomp_ = ncomp;
+  comm->forward_comm(this, ncomp);
+}
+
+int FixAleisph::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  int m = 0;
+  for (int k = 0; k < n; k++)
+    for (int a = 0; a < halo_ncomp_; a++) buf[m++] = halo_field_[halo_ncomp_ * list[k] + a];
+  return m;
+}
+
+void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
+{
+  std::memcpy(halo_field_ + static_cast<std::size_t>(halo_ncomp_) * first, buf,
+              sizeof(double) * n * halo_ncomp_);
+}
+
+void FixAleisph::complete_velocity(double *v)
+{
+  if (conditions_.empty()) forward(v, 3);
+  for (auto *condition : conditions_) condition->impose(v);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisph::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const double valid = pressure_valid_;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&valid, sizeof(double), 1, fp);
+}
+
+void FixAleisph::restart(char *buf)
+{
+  pressure_valid_ = *reinterpret_cast<double *>(buf) != 0.0;
+}
+
+/* ---------------------------------------------------------------------- */
+
+long FixAleisph::sum(long value) const
+{
+  long total;
+  MPI_Allreduce(&value, &total, 1, MPI_LONG, MPI_SUM, world);
+  return total;
+}
+
+double FixAleisph::compute_vector(int n)
+{
+  const auto &disc = *discretization_;
+  const auto &counts = disc.counts();
+  switch (n) {
+    case 0: return sum(disc.fluid().size());
+    case 1: return sum(disc.wall().size());
+    case 2: return sum(tally_.dirichlet_rows);
+    case 3: return sum(disc.buffer().size());
+    case 4: return sum(discretization_->laplacian().morris_count().total());
+    case 5: return sum(tally_.singular_rows);
+    case 6: return counts.stencil;
+    case 7: return counts.gradient;
+    case 8: return tally_.ppe_builds;
+    case 9: return tally_.precond_builds;
+    case 10: return counts.laplacian;
+    case 11: {
+      const auto &gradient = discretization_->gradient();
+      double smallest = 1.0, all;
+      for (const int i : disc.fluid()) smallest = std::min(smallest, gradient.lambda(i));
+      MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+      return all;
+    }
+    default: return static_cast<double>(sum(disc.stencil().pairs())) / std::max(1L, sum(atom->nlocal));
+  }
+}
+
+void FixAleisph::post_run()
+{
+  report_timing();
+}
+
+void FixAleisph::report_timing()
+{
+  double seconds[aleisph::NUM_PARTS];
+  double total = 0.0;
+  for (int k = 1; k < aleisph::NUM_PARTS; k++) {
+    seconds[k] = timers_.seconds(static_cast<Part>(k)) / comm->nprocs;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, seconds + 1, aleisph::NUM_PARTS - 1, MPI_DOUBLE, MPI_SUM, world);
+  for (int k = 1; k < aleisph::NUM_PARTS; k++) total += seconds[k];
+
+  const double steps = static_cast<double>(std::max<bigint>(1, update->nsteps));
+  const double particle_steps = steps * std::max<bigint>(1, atom->natoms) / comm->nprocs;
+  std::string text = fmt::format("\nALEISPH time: {:.4g} s, {:.4g} us per particle-step and rank\n",
+                                 total, 1.0e6 * total / particle_steps);
+  for (int k = 1; k < aleisph::NUM_PARTS; k++)
+    text += fmt::format("  {:<15}{:>10.4g} s {:>6.1f} %\n", to_string(static_cast<Part>(k)),
+                        seconds[k], total > 0.0 ? 100.0 * seconds[k] / total : 0.0);
+  const auto &counts = discretization_->counts();
+  text += fmt::format("ALEISPH builds: stencil {}, gradient {}, Laplacian {}, PPE matrix {}, "
+                      "preconditioner {}, viscous matrix {}, viscous passes {}, wall passes {}\n",
+                      counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
+                      tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
+                      tally_.wall_passes);
+  if (comm->me == 0) utils::logmesg(lmp, text);
+}
+
+double FixAleisph::memory_usage()
+{
+  return discretization_->bytes() + sizeof(double) * (normal_.size() + vstar_.size() + x_built_.size());
+}

@@ -1,0 +1,284 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_ppe.h"
+
+#include "aleisph_halo_operator.h"
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_aleisph.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+using aleisph::SolveStatus;
+
+namespace {
+// The scaled right hand side carries the rounding of div v*, about epsilon rho0 d/dt |v*|, and
+// the product A p that of the pressure. A relative tolerance must not chase a residual below
+// this; the factor covers the few dozen terms of a row.
+constexpr double ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
+}    // namespace
+
+FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), params_(), owner_(nullptr), version_(-1), closed_(false), failures_(0),
+    total_iterations_(0)
+{
+  params_.precond = aleisph::PrecondType::ILU0;
+  params_.automatic = true;
+  params_.error_on_failure = true;
+  parse(narg, arg);
+
+  scalar_flag = vector_flag = 1;
+  size_vector = 9;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+void FixAleisphPPE::parse(int narg, char **arg)
+{
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/ppe " + key, error);
+    const std::string value = arg[iarg + 1];
+    if (key == "tol") {
+      params_.krylov.rtol = utils::numeric(FLERR, value, false, lmp);
+      if (!(params_.krylov.rtol > 0.0) || !(params_.krylov.rtol < 1.0))
+        error->all(FLERR, "Fix aleisph/ppe: tol must lie between 0 and 1, not {}", value);
+    } else if (key == "maxiter") {
+      params_.krylov.max_iterations = utils::inumeric(FLERR, value, false, lmp);
+      if (params_.krylov.max_iterations < 1)
+        error->all(FLERR, "Fix aleisph/ppe: maxiter must be at least 1, not {}", value);
+    } else if (key == "preconditioner") {
+      params_.automatic = value == "auto";
+      if (!params_.automatic && !aleisph::parse_precond(value, params_.precond))
+        error->all(FLERR, "Fix aleisph/ppe: unknown preconditioner {}, use auto or one of {}",
+                   value, aleisph::precond_names());
+    } else if (key == "failure") {
+      if (value != "error" && value != "warn")
+        error->all(FLERR, "Fix aleisph/ppe: failure must be error or warn, not {}", value);
+      params_.error_on_failure = value == "error";
+    } else
+      error->all(FLERR, "Fix aleisph/ppe: unknown keyword {}", key);
+  }
+}
+
+int FixAleisphPPE::setmask()
+{
+  return FINAL_INTEGRATE;
+}
+
+void FixAleisphPPE::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/ppe");
+  version_ = -1;
+}
+
+/* ----------------------------------------------------------------------
+   The first pressure of a simulation, so that run 0 has one and the first
+   step a good initial guess. The predictor leaves dt times the acceleration
+   without pressure in v*; the velocity itself is not touched.
+------------------------------------------------------------------------- */
+
+void FixAleisphPPE::setup(int)
+{
+  if (owner_->pressure_valid()) return;
+  solve();
+  owner_->set_pressure_valid();
+}
+
+void FixAleisphPPE::final_integrate()
+{
+  solve();
+  correct_velocity();
+}
+
+void FixAleisphPPE::solve()
+{
+  if (owner_->version() != version_) assemble();
+  right_hand_side();
+
+  params_.krylov.atol = rounding_level();
+  params_.krylov.remove_mean = closed_;
+
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SOLVE);
+  double *p = owner_->pressure();
+  p_.assign(p, p + owner_->nall());
+  AleisphHaloOperator op(matrix_, *owner_);
+  report_ = krylov_.solve(op, *precond_, owner_->inner_product(), rhs_.data(), p_.data(),
+                          params_.krylov);
+  total_iterations_ += report_.iterations;
+  act_on(report_);
+  std::copy(p_.begin(), p_.begin() + atom->nlocal, p);
+  owner_->forward(p, 1);
+}
+
+double FixAleisphPPE::rounding_level() const
+{
+  const double *vstar = owner_->vstar();
+  const double *p = owner_->pressure();
+  double squares[2] = {0.0, 0.0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    for (int a = 0; a < 3; a++) squares[0] += vstar[3 * i + a] * vstar[3 * i + a];
+    squares[1] += p[i] * p[i];
+  }
+  owner_->inner_product().sum(2, squares);
+  return ROUNDING *
+      (owner_->rho0() * owner_->spacing() / update->dt * std::sqrt(squares[0]) +
+       std::sqrt(squares[1]));
+}
+
+void FixAleisphPPE::assemble()
+{
+  auto &disc = owner_->discretization();
+  const auto &gradient = disc.gradient();
+  const auto &laplacian = disc.laplacian();
+  aleisph::PpeRows rows;
+  {
+    aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
+    rows = aleisph::assemble_ppe(disc.stencil(), gradient, laplacian, owner_->role(),
+                                 owner_->normal(), disc.spacing(), matrix_, owner_->row_types());
+  }
+  int fixed = rows.dirichlet + rows.singular, any;
+  MPI_Allreduce(&fixed, &any, 1, MPI_INT, MPI_SUM, world);
+  closed_ = any == 0;
+  choose_preconditioner();
+
+  auto &tally = owner_->tally();
+  tally.ppe_builds++;
+  tally.dirichlet_rows = rows.dirichlet;
+  tally.singular_rows = rows.singular;
+  version_ = owner_->version();
+}
+
+void FixAleisphPPE::choose_preconditioner()
+{
+  aleisph::Timers::Scope scope(owner_->timers(), Part::PRECONDITIONER);
+  precond_ = aleisph::make_preconditioner(params_.precond, matrix_, precond_report_);
+  owner_->tally().precond_builds++;
+  owner_->tally().replaced_pivots = precond_report_.replaced_pivots;
+}
+
+void FixAleisphPPE::right_hand_side()
+{
+  auto &disc = owner_->discretization();
+  owner_->complete_velocity(owner_->vstar());
+  aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
+  rhs_.resize(atom->nlocal);
+  div_.resize(atom->nlocal);
+  aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), owner_->vstar(),
+                      owner_->role(), owner_->normal(), div_.data());
+  // before the first pressure v* holds an acceleration, relative to the wall's
+  std::vector<double> at_rest;
+  const double *vwall = owner_->velocity();
+  if (!owner_->pressure_valid()) {
+    at_rest.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+    vwall = at_rest.data();
+  }
+  aleisph::ppe_rhs(owner_->row_types(), owner_->normal(), owner_->vstar(), vwall, div_.data(),
+                   owner_->pressure(), disc.spacing(), owner_->rho0() / update->dt, rhs_.data());
+}
+
+void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
+{
+  if (report.ok()) return;
+  if (report.status == SolveStatus::NOT_FINITE) name_bad_atom("predicted velocity");
+  failures_++;
+  const std::string text = fmt::format(
+      "Fix aleisph/ppe: pressure not converged at step {} ({}): {} iterations, residual {:.4g} of "
+      "{:.4g}, tolerance {:.4g}",
+      update->ntimestep, to_string(report.status), report.iterations, report.residual,
+      report.rhs_norm, params_.krylov.rtol);
+  if (params_.error_on_failure || report.status == SolveStatus::NOT_FINITE)
+    error->all(FLERR, "{}; reduce the time step, or raise tol or maxiter", text);
+  if (comm->me == 0) error->warning(FLERR, text);
+}
+
+void FixAleisphPPE::name_bad_atom(const char *where) const
+{
+  const double *vstar = owner_->vstar();
+  tagint bad = 0, worst;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int a = 0; a < 3; a++)
+      if (!std::isfinite(vstar[3 * i + a])) bad = atom->tag[i];
+  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (worst)
+    error->all(FLERR, "Fix aleisph/ppe: {} of atom {} is not finite at step {}", where, worst,
+               update->ntimestep);
+}
+
+void FixAleisphPPE::correct_velocity()
+{
+  auto &disc = owner_->discretization();
+  double *v = owner_->velocity();
+  {
+    aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
+    const double *vstar = owner_->vstar();
+    const double factor = update->dt / owner_->rho0();
+    grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
+    aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->pressure(),
+                      grad_.data());
+    for (const int i : disc.fluid())
+      for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
+  }
+  if (!owner_->velocity_conditions().empty()) owner_->complete_velocity(v);
+}
+
+/* ---------------------------------------------------------------------- */
+
+// a residual r of the scaled rows is an error of |div v| dt of r dt^2/(rho0 d^2)
+double FixAleisphPPE::residual_bound() const
+{
+  const double d = owner_->spacing();
+  return report_.residual * update->dt * update->dt / (owner_->rho0() * d * d);
+}
+
+double FixAleisphPPE::max_divergence()
+{
+  auto &disc = owner_->discretization();
+  double *v = owner_->velocity();
+  owner_->forward(v, 3);
+  div_.resize(atom->nlocal);
+  aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), v, owner_->role(),
+                      owner_->normal(), div_.data());
+  double mine = 0.0, all;
+  for (const int i : disc.fluid()) mine = std::max(mine, std::fabs(div_[i]));
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+double FixAleisphPPE::compute_scalar()
+{
+  return report_.iterations;
+}
+
+double FixAleisphPPE::compute_vector(int n)
+{
+  switch (n) {
+    case 0: return report_.iterations;
+    case 1: return report_.rhs_norm > 0.0 ? report_.residual / report_.rhs_norm : report_.residual;
+    case 2: return max_divergence();
+    case 3: return report_.restarts;
+    case 4: return report_.rhs_mean;
+    case 5: return residual_bound();
+    case 6: return closed_;
+    case 7: return failures_;
+    default: return total_iterations_;
+  }
+}
+
+double FixAleisphPPE::memory_usage()
+{
+  return matrix_.bytes() + krylov_.bytes() + precond_report_.bytes +
+      sizeof(double) * (rhs_.size() + div_.size() + grad_.size() + p_.size());
+}

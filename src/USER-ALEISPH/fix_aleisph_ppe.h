@@ -1,0 +1,76 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Pressure Poisson equation and velocity correction (Morikawa, Tsuji &
+   Asai, eqs 4, 5, 15-18): lap p = rho0/dt div v*, v = v* - dt/rho0 grad p.
+   Fluid and wall pressures are solved for together with BiCGSTAB.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/ppe,FixAleisphPPE);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_PPE_H
+#define LMP_FIX_ALEISPH_PPE_H
+
+#include "aleisph_csr.h"
+#include "aleisph_krylov.h"
+#include "aleisph_precond.h"
+#include "fix.h"
+
+#include <memory>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixAleisphPPE : public Fix {
+ public:
+  FixAleisphPPE(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void final_integrate() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+ private:
+  struct Params {
+    aleisph::KrylovParams krylov;
+    aleisph::PrecondType precond;
+    bool automatic, error_on_failure;
+  };
+
+  void parse(int narg, char **arg);
+  void assemble();
+  void choose_preconditioner();
+  void right_hand_side();
+  void solve();
+  double rounding_level() const;
+  void act_on(const aleisph::SolveReport &report);
+  void name_bad_atom(const char *where) const;
+  void correct_velocity();
+  double residual_bound() const;
+  double max_divergence();
+
+  Params params_;
+  class FixAleisph *owner_;
+  bigint version_;    // of the positions that the matrix belongs to
+  bool closed_;       // no pressure is prescribed anywhere
+  aleisph::CsrMatrix matrix_;
+  std::unique_ptr<aleisph::Preconditioner> precond_;
+  aleisph::PrecondReport precond_report_;
+  aleisph::BiCGStab krylov_;
+  aleisph::SolveReport report_;
+  std::vector<double> rhs_, div_, grad_, p_;
+  long failures_, total_iterations_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,538 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_predictor.h"
+
+#include "aleisph_halo_operator.h"
+#include "aleisph_stability.h"
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_aleisph.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+
+namespace {
+
+constexpr char ACCELERATION_FIX[] = "ALEISPH_A";
+constexpr char ACCELERATION[] = "aleisph_a";
+constexpr char TRANSPORT_FIX[] = "ALEISPH_W";
+constexpr char TRANSPORT[] = "aleisph_w";
+// walls half a spacing away and jittered particles lower the lattice's explicit
+// limit by up to a quarter; a warning leaves a little more
+constexpr double SAFE_SHARE = 0.7;
+
+}    // namespace
+
+FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), previous_dt_(0.0), viscous_version_(-1),
+    viscous_dt_(0.0), viscous_iterations_(0)
+{
+  parse(narg, arg);
+  check_transport();
+
+  time_integrate = 1;
+  restart_global = 1;
+  nevery = 1;
+  vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extvector = 0;
+}
+
+FixAleisphPredictor::~FixAleisphPredictor()
+{
+  if (!modify) return;
+  for (const char *id : {ACCELERATION_FIX, TRANSPORT_FIX})
+    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
+}
+
+void FixAleisphPredictor::parse(int narg, char **arg)
+{
+  int iarg = 3;
+  while (iarg < narg) {
+    const std::string key = arg[iarg];
+    const int nvalues = key == "transport" ? 3 : 1;
+    if (iarg + nvalues >= narg)
+      utils::missing_cmd_args(FLERR, "fix aleisph/predictor " + key, error);
+    const std::string value = arg[iarg + 1];
+    if (key == "frame") {
+      if (value == "lagrangian")
+        params_.frame = Frame::LAGRANGIAN;
+      else if (value == "eulerian")
+        params_.frame = Frame::EULERIAN;
+      else if (value == "ale")
+        params_.frame = Frame::ALE;
+      else
+        error->all(FLERR, "Fix aleisph/predictor: frame must be lagrangian, eulerian or ale, not {}",
+                   value);
+    } else if (key == "nu" || key == "mu") {
+      const double viscosity = utils::numeric(FLERR, value, false, lmp);
+      if (!(viscosity >= 0.0) || !std::isfinite(viscosity))
+        error->all(FLERR, "Fix aleisph/predictor: {} must not be negative, it is {}", key, value);
+      params_.nu = viscosity;
+      params_.dynamic = key == "mu";
+    } else if (key == "scheme") {
+      if (value == "explicit")
+        params_.theta = 0.0;
+      else if (value == "be")
+        params_.theta = 1.0;
+      else if (value == "cn")
+        params_.theta = 0.5;
+      else
+        error->all(FLERR, "Fix aleisph/predictor: scheme must be explicit, be or cn, not {}", value);
+    } else if (key == "integrator") {
+      if (value != "euler" && value != "ab2")
+        error->all(FLERR, "Fix aleisph/predictor: integrator must be euler or ab2, not {}", value);
+      params_.ab2 = value == "ab2";
+    } else if (key == "tol") {
+      params_.tolerance = utils::numeric(FLERR, value, false, lmp);
+      if (!(params_.tolerance > 0.0) || !(params_.tolerance < 1.0))
+        error->all(FLERR, "Fix aleisph/predictor: tol must lie between 0 and 1, not {}", value);
+    } else if (key == "transport") {
+      for (int a = 0; a < 3; a++) params_.transport[a] = arg[iarg + 1 + a];
+    } else
+      error->all(FLERR, "Fix aleisph/predictor: unknown keyword {}", key);
+    iarg += 1 + nvalues;
+  }
+}
+
+void FixAleisphPredictor::check_transport() const
+{
+  const bool given = !params_.transport[0].empty();
+  if (given && params_.frame != Frame::ALE)
+    error->all(FLERR, "Fix aleisph/predictor: keyword transport needs frame ale");
+  if (!given && params_.frame == Frame::ALE)
+    error->all(FLERR, "Fix aleisph/predictor: frame ale needs keyword transport");
+}
+
+int FixAleisphPredictor::setmask()
+{
+  int mask = FINAL_INTEGRATE;
+  if (params_.frame != Frame::EULERIAN) mask |= INITIAL_INTEGRATE;
+  if (params_.frame == Frame::ALE) mask |= END_OF_STEP;
+  return mask;
+}
+
+void FixAleisphPredictor::post_constructor()
+{
+  const auto add = [this](const char *id, const char *name) {
+    modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", id, name));
+  };
+  if (params_.ab2) add(ACCELERATION_FIX, ACCELERATION);
+  if (params_.frame == Frame::ALE) add(TRANSPORT_FIX, TRANSPORT);
+}
+
+double *FixAleisphPredictor::custom(const char *name) const
+{
+  int flag, cols;
+  double **array = atom->darray[atom->find_custom(name, flag, cols)];
+  return atom->nmax ? &array[0][0] : nullptr;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphPredictor::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/predictor");
+  owner_->add_role(aleisph::FLUID, groupbit);
+  if (params_.frame != Frame::EULERIAN) owner_->set_moving();
+  if (group->count(igroup) == 0)
+    error->all(FLERR, "Fix aleisph/predictor: group {} is empty", group->names[igroup]);
+  if (modify->get_fix_by_style("^aleisph/predictor$").size() > 1)
+    error->all(FLERR, "Fix aleisph/predictor: there must be only one");
+
+  nu_ = owner_->fluid().nu;
+  if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->rho0() : params_.nu;
+  viscous_version_ = -1;
+  check_other_integrators();
+  check_viscous_limit();
+}
+
+void FixAleisphPredictor::reset_dt()
+{
+  check_viscous_limit();
+}
+
+void FixAleisphPredictor::check_other_integrators() const
+{
+  for (const Fix *fix : modify->get_fix_list()) {
+    if (!fix->time_integrate || fix == this) continue;
+    int shared = 0, any;
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit)) shared = 1;
+    MPI_Allreduce(&shared, &any, 1, MPI_INT, MPI_MAX, world);
+    if (any)
+      error->all(FLERR, "Fix {} ({}) would integrate fluid atoms as well as fix {} ({})", fix->id,
+                 fix->style, id, style);
+  }
+}
+
+void FixAleisphPredictor::check_viscous_limit() const
+{
+  if (nu_ == 0.0 || params_.theta > 0.0) return;
+  const auto &disc = owner_->discretization();
+  const double d = disc.spacing();
+  double limit = 2.0 / aleisph::lattice_spectral_radius(disc.kernel(), d);
+  if (params_.ab2) limit *= 0.5;
+  const double safe_dt = SAFE_SHARE * limit * d * d / nu_;
+  if (viscous_number() > limit)
+    error->all(FLERR,
+               "Fix aleisph/predictor: explicit viscosity is unstable at nu dt/d^2 = {:.4g}; use a "
+               "timestep of at most {:.6g}, or scheme be or cn",
+               viscous_number(), safe_dt);
+  if (viscous_number() > SAFE_SHARE * limit * (1.0 + 1.0e-9) && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix aleisph/predictor: nu dt/d^2 = {:.4g} is near the limit of explicit "
+                   "viscosity; a timestep of at most {:.6g} is safe",
+                   viscous_number(), safe_dt);
+}
+
+/* ----------------------------------------------------------------------
+   Before the first pressure: v* := dt (nu lap v + f/m - v.grad v), the
+   acceleration of the fluid without pressure, whatever the frame.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::setup(int)
+{
+  if (params_.frame == Frame::ALE) evaluate_transport();
+  if (owner_->pressure_valid()) return;
+  double *v = owner_->velocity();
+  owner_->forward(v, 3);
+
+  aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
+  auto &disc = owner_->discretization();
+  body_acceleration(a_);
+  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), v, v, work_.data());
+  for (const int i : disc.fluid())
+    for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
+  add_viscosity(1.0, a_);
+  add_wall_viscosity(a_);
+  double *vstar = owner_->vstar();
+  for (const auto *rows : {&disc.fluid(), &disc.wall()})
+    for (const int i : *rows)
+      for (int a = 0; a < 3; a++) vstar[3 * i + a] = update->dt * a_[3 * i + a];
+}
+
+void FixAleisphPredictor::initial_integrate(int)
+{
+  double **x = atom->x;
+  const double *w = params_.frame == Frame::ALE ? custom(TRANSPORT) : owner_->velocity();
+  const int dim = domain->dimension;
+  for (const int i : owner_->discretization().fluid())
+    for (int a = 0; a < dim; a++) x[i][a] += update->dt * w[3 * i + a];
+}
+
+void FixAleisphPredictor::end_of_step()
+{
+  evaluate_transport();
+}
+
+void FixAleisphPredictor::evaluate_transport()
+{
+  double *w = custom(TRANSPORT);
+  std::vector<double> values(atom->nlocal);
+  for (int a = 0; a < domain->dimension; a++) {
+    const std::string &word = params_.transport[a];
+    if (utils::strmatch(word, "^v_")) {
+      const int ivar = input->variable->find(word.c_str() + 2);
+      if (ivar < 0 || !input->variable->atomstyle(ivar))
+        error->all(FLERR, "Fix aleisph/predictor: {} is not an atom-style variable", word);
+      input->variable->compute_atom(ivar, igroup, values.data(), 1, 0);
+    } else
+      values.assign(atom->nlocal, utils::numeric(FLERR, word, false, lmp));
+    for (int i = 0; i < atom->nlocal; i++) w[3 * i + a] = values[i];
+  }
+}
+
+void FixAleisphPredictor::final_integrate()
+{
+  owner_->forward(owner_->velocity(), 3);
+  if (params_.theta > 0.0)
+    predict_implicit();
+  else
+    predict_explicit();
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
+{
+  const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
+  a.assign(n, 0.0);
+  work_.resize(n);
+  const auto &disc = owner_->discretization();
+  const double per_mass = 1.0 / owner_->particle_mass();
+  for (const auto *rows : {&disc.fluid(), &disc.wall()})
+    for (const int i : *rows)
+      for (int c = 0; c < domain->dimension; c++) a[3 * i + c] = per_mass * atom->f[i][c];
+}
+
+void FixAleisphPredictor::add_convection(std::vector<double> &a)
+{
+  if (params_.frame == Frame::LAGRANGIAN) return;
+  auto &disc = owner_->discretization();
+  const double *v = owner_->velocity();
+  const double *c = v;
+  if (params_.frame == Frame::ALE) {
+    const double *w = custom(TRANSPORT);
+    relative_.resize(a.size());
+    for (std::size_t k = 0; k < a.size(); k++) relative_[k] = v[k] - w[k];
+    c = relative_.data();
+  }
+  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), c, v, work_.data());
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
+}
+
+void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
+{
+  if (nu_ == 0.0 || share == 0.0) return;
+  auto &disc = owner_->discretization();
+  aleisph::laplacian(disc.stencil(), disc.laplacian(), disc.fluid(), owner_->velocity(),
+                     owner_->role(), work_.data());
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share * nu_ * work_[k];
+  owner_->tally().viscous_passes++;
+}
+
+/* ----------------------------------------------------------------------
+   On walls that ask for it, the viscous force that balances the normal
+   pressure gradient: nu lap v = -nu curl curl v for a divergence-free v.
+   The Laplacian itself would be one-sided there, which is unstable.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
+{
+  if (nu_ == 0.0) return;
+  auto &disc = owner_->discretization();
+  aleisph::Rows rows;
+  for (const int i : disc.wall())
+    if (owner_->role()[i] & aleisph::CURLCURL) rows.push_back(i);
+  int mine = static_cast<int>(rows.size()), any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  if (!any) return;
+
+  std::vector<double> vorticity(3 * static_cast<std::size_t>(owner_->nall()), 0.0);
+  aleisph::curl(disc.stencil(), disc.gradient(), disc.all(), owner_->velocity(), vorticity.data());
+  owner_->forward(vorticity.data(), 3);
+  aleisph::curl(disc.stencil(), disc.gradient(), rows, vorticity.data(), work_.data());
+  for (const int i : rows)
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
+}
+
+// Adams-Bashforth: replaces a by its second-order extrapolation to the middle of the step
+void FixAleisphPredictor::extrapolate(std::vector<double> &a)
+{
+  if (!params_.ab2) return;
+  double *old = custom(ACCELERATION);
+  const double half_ratio = previous_dt_ > 0.0 ? 0.5 * update->dt / previous_dt_ : 0.0;
+  for (std::size_t k = 0; k < a.size(); k++) {
+    const double now = a[k];
+    a[k] += half_ratio * (now - old[k]);
+    old[k] = now;
+  }
+  previous_dt_ = update->dt;
+}
+
+void FixAleisphPredictor::predict_explicit()
+{
+  aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
+  const auto &disc = owner_->discretization();
+  body_acceleration(a_);
+  add_convection(a_);
+  add_viscosity(1.0, a_);
+  add_wall_viscosity(a_);
+  extrapolate(a_);
+  const double *v = owner_->velocity();
+  double *vstar = owner_->vstar();
+  for (const auto *rows : {&disc.fluid(), &disc.wall()})
+    for (const int i : *rows)
+      for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
+}
+
+/* ----------------------------------------------------------------------
+   (1 - theta dt nu lap) v_nu = v + dt (f/m - c.grad v - grad p/rho0 + (1-theta) nu lap v)
+   v* = v_nu + dt/rho0 grad p
+   The pressure gradient must be in the viscous solve: without it the steady
+   state is off by dt grad p/rho0 next to no-slip walls.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::predict_implicit()
+{
+  aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
+  auto &disc = owner_->discretization();
+  const double dt = update->dt;
+  body_acceleration(a_);
+  add_convection(a_);
+  add_wall_viscosity(a_);
+  extrapolate(a_);
+
+  owner_->forward(owner_->pressure(), 1);
+  grad_p_.assign(a_.size(), 0.0);
+  aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->pressure(),
+                    grad_p_.data());
+  const double *v = owner_->velocity();
+  double *vstar = owner_->vstar();
+  for (const int i : disc.wall())
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + dt * a_[k];
+
+  add_viscosity(1.0 - params_.theta, a_);
+  std::vector<double> &rhs = a_;
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++)
+      rhs[k] = v[k] + dt * (a_[k] - grad_p_[k] / owner_->rho0());
+  for (const int i : disc.wall())
+    for (int k = 3 * i; k < 3 * i + 3; k++) rhs[k] = v[k];
+
+  if (viscous_version_ != owner_->version() || viscous_dt_ != dt) assemble_viscous();
+  solve_viscous(rhs);
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++)
+      vstar[k] = rhs[k] + dt / owner_->rho0() * grad_p_[k];
+}
+
+// rows: fluid 1 - theta dt nu lap; wall and other particles v; buffer v - v_source
+void FixAleisphPredictor::assemble_viscous()
+{
+  auto &disc = owner_->discretization();
+  const auto &s = disc.stencil();
+  const double *weight = disc.laplacian().a();
+  const double share = params_.theta * update->dt * nu_;
+  const aleisph::Role *role = owner_->role();
+
+  viscous_.reset(atom->nlocal, s.ptr(), s.col());
+  for (int i = 0; i < atom->nlocal; i++) viscous_.diag(i) = 1.0;
+  for (const int i : disc.fluid())
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      if (role[s.col()[k]] & aleisph::SLIP) continue;
+      viscous_.diag(i) -= share * weight[k];
+      viscous_.val(k) = share * weight[k];
+    }
+  for (const int i : disc.buffer())
+    for (const auto *condition : owner_->velocity_conditions())
+      for (int k = s.begin(i); k < s.end(i); k++)
+        if (s.col()[k] == condition->source(i)) viscous_.val(k) = -1.0;
+
+  aleisph::PrecondReport report;
+  precond_ = aleisph::make_preconditioner(aleisph::PrecondType::ILU0, viscous_, report);
+  owner_->tally().viscous_builds++;
+  viscous_version_ = owner_->version();
+  viscous_dt_ = update->dt;
+}
+
+// rhs: 3 per particle; on return the solution. Components are solved one after the other.
+void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
+{
+  double norm = 0.0;
+  for (const double value : rhs) norm += value * value;
+  owner_->inner_product().sum(1, &norm);
+  aleisph::KrylovParams krylov;
+  krylov.rtol = 0.0;
+  krylov.atol = params_.tolerance * std::sqrt(norm);
+
+  const double *v = owner_->velocity();
+  std::vector<double> b(atom->nlocal), u(owner_->nall());
+  AleisphHaloOperator op(viscous_, *owner_);
+  viscous_iterations_ = 0;
+  for (int a = 0; a < domain->dimension; a++) {
+    for (int i = 0; i < atom->nlocal; i++) {
+      b[i] = rhs[3 * i + a];
+      u[i] = v[3 * i + a];
+    }
+    const auto report =
+        krylov_.solve(op, *precond_, owner_->inner_product(), b.data(), u.data(), krylov);
+    viscous_iterations_ += report.iterations;
+    if (!report.ok())
+      error->all(FLERR,
+                 "Fix aleisph/predictor: viscous velocity not converged at step {} ({}): {} "
+                 "iterations, residual {:.4g}, tolerance {:.4g}; reduce the time step",
+                 update->ntimestep, to_string(report.status), report.iterations, report.residual,
+                 krylov.atol);
+    for (int i = 0; i < atom->nlocal; i++) rhs[3 * i + a] = u[i];
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphPredictor::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&previous_dt_, sizeof(double), 1, fp);
+}
+
+void FixAleisphPredictor::restart(char *buf)
+{
+  previous_dt_ = *reinterpret_cast<double *>(buf);
+}
+
+double FixAleisphPredictor::viscous_number() const
+{
+  return nu_ * update->dt / (owner_->spacing() * owner_->spacing());
+}
+
+double FixAleisphPredictor::largest_norm(const double *v) const
+{
+  double mine = 0.0, all;
+  for (const int i : owner_->discretization().fluid()) {
+    double square = 0.0;
+    for (int a = 0; a < 3; a++) square += v[3 * i + a] * v[3 * i + a];
+    mine = std::max(mine, square);
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::sqrt(all);
+}
+
+// CFL 0.2, body force 0.25, explicit viscosity, and forward Euler with central
+// convection on particles that do not move (dt <= 2 nu/u^2)
+double FixAleisphPredictor::time_step_limit() const
+{
+  const auto &disc = owner_->discretization();
+  const double d = disc.spacing();
+  const double speed = largest_norm(owner_->velocity());
+  const double accel = largest_norm(&atom->f[0][0]) / owner_->particle_mass();
+  double dt = 1.0e30;
+  if (speed > 0.0) dt = std::min(dt, 0.2 * d / speed);
+  if (accel > 0.0) dt = std::min(dt, 0.25 * std::sqrt(d / accel));
+  if (nu_ > 0.0 && params_.theta == 0.0) {
+    const double radius = aleisph::lattice_spectral_radius(disc.kernel(), d);
+    dt = std::min(dt, SAFE_SHARE * (params_.ab2 ? 1.0 : 2.0) / radius * d * d / nu_);
+  }
+  if (params_.frame == Frame::EULERIAN && !params_.ab2 && speed > 0.0)
+    dt = std::min(dt, 2.0 * nu_ / (speed * speed));
+  return dt;
+}
+
+double FixAleisphPredictor::compute_vector(int n)
+{
+  switch (n) {
+    case 0: return largest_norm(owner_->velocity()) * update->dt / owner_->spacing();
+    case 1: return viscous_number();
+    case 2: return largest_norm(owner_->velocity());
+    case 3: return time_step_limit();
+    default: return viscous_iterations_;
+  }
+}
+
+double FixAleisphPredictor::memory_usage()
+{
+  return viscous_.bytes() + krylov_.bytes() +
+      sizeof(double) * (a_.size() + work_.size() + grad_p_.size() + relative_.size());
+}

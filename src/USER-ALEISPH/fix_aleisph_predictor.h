@@ -1,0 +1,101 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Motion and prediction (Morikawa, Tsuji & Asai, eqs 3, 6):
+     x += dt w,    v* = v + dt (nu lap v + f/m - c.grad v),    c = v - w,
+   with the transport velocity w = v (lagrangian), 0 (eulerian) or prescribed
+   (ale). Viscosity is explicit, or implicit by backward Euler or
+   Crank-Nicolson; the implicit forms see -grad p^n/rho0 while they solve for
+   the viscous velocity and give it back afterwards, so that the pressure
+   equation is the same for all.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/predictor,FixAleisphPredictor);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_PREDICTOR_H
+#define LMP_FIX_ALEISPH_PREDICTOR_H
+
+#include "aleisph_krylov.h"
+#include "aleisph_precond.h"
+#include "fix.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixAleisphPredictor : public Fix {
+ public:
+  FixAleisphPredictor(class LAMMPS *, int, char **);
+  ~FixAleisphPredictor() override;
+  int setmask() override;
+  void post_constructor() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void final_integrate() override;
+  void end_of_step() override;
+  void reset_dt() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  enum class Frame { LAGRANGIAN, EULERIAN, ALE };
+  struct Params {
+    Frame frame = Frame::LAGRANGIAN;
+    double nu = -1.0;         // viscosity; < 0: that of the fluid property file
+    bool dynamic = false;     // nu is the dynamic viscosity mu
+    double theta = 0.0;       // share of the new time level in nu lap v; 0 explicit
+    bool ab2 = false;         // explicit terms by Adams-Bashforth 2 instead of forward Euler
+    double tolerance = 1.0e-12;   // of the implicit solve, relative to |v|
+    std::array<std::string, 3> transport;    // equal- or atom-style variables, or numbers
+  };
+
+  void parse(int narg, char **arg);
+  void check_transport() const;
+  void check_other_integrators() const;
+  void check_viscous_limit() const;
+  double *custom(const char *name) const;
+
+  void body_acceleration(std::vector<double> &a);
+  void add_convection(std::vector<double> &a);
+  void add_viscosity(double share, std::vector<double> &a);
+  void add_wall_viscosity(std::vector<double> &a);
+  void extrapolate(std::vector<double> &a);
+  void predict_explicit();
+  void predict_implicit();
+  void assemble_viscous();
+  void solve_viscous(std::vector<double> &rhs);
+  void evaluate_transport();
+  double largest_norm(const double *v) const;
+  double viscous_number() const;
+  double time_step_limit() const;
+
+  Params params_;
+  class FixAleisph *owner_;
+  double nu_;               // in force
+  double previous_dt_;      // of the stored acceleration, 0 if there is none
+
+  std::vector<double> a_, work_, grad_p_, relative_;    // 3 per owned particle
+  aleisph::CsrMatrix viscous_;
+  std::unique_ptr<aleisph::Preconditioner> precond_;
+  aleisph::BiCGStab krylov_;
+  bigint viscous_version_;
+  double viscous_dt_;
+  int viscous_iterations_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

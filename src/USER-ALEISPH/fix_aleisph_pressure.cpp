@@ -1,0 +1,207 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_pressure.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "input.h"
+#include "update.h"
+#include "utils.h"
+#include "variable.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+namespace {
+// a buffer particle's source lies one spacing away along the given direction;
+// farther off than this share of the spacing it is a different particle
+constexpr double MAX_OFFSET = 0.5;
+constexpr int MAX_DEPTH = 100;
+}    // namespace
+
+FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), value_(0.0), buffer_bit_(0), towards_{0.0, 0.0, 0.0}, owner_(nullptr),
+    version_(-1), depth_(0)
+{
+  if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/pressure", error);
+  if (utils::strmatch(arg[3], "^v_"))
+    variable_ = arg[3] + 2;
+  else
+    value_ = utils::numeric(FLERR, arg[3], false, lmp);
+  if (!std::isfinite(value_)) error->all(FLERR, "Fix aleisph/pressure: pressure is not finite");
+
+  if (narg == 4) return;
+  if (strcmp(arg[4], "buffer") != 0)
+    error->all(FLERR, "Fix aleisph/pressure: unknown keyword {}", arg[4]);
+  if (narg != 9) utils::missing_cmd_args(FLERR, "fix aleisph/pressure buffer", error);
+  const int jgroup = group->find(arg[5]);
+  if (jgroup < 0) error->all(FLERR, "Fix aleisph/pressure: unknown buffer group {}", arg[5]);
+  buffer_bit_ = group->bitmask[jgroup];
+  double norm = 0.0;
+  for (int a = 0; a < 3; a++) {
+    towards_[a] = utils::numeric(FLERR, arg[6 + a], false, lmp);
+    norm += towards_[a] * towards_[a];
+  }
+  if (!(norm > 0.0) || !std::isfinite(norm))
+    error->all(FLERR, "Fix aleisph/pressure: buffer direction must not be zero");
+  for (double &component : towards_) component /= std::sqrt(norm);
+}
+
+int FixAleisphPressure::setmask()
+{
+  return PRE_FORCE;
+}
+
+void FixAleisphPressure::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/pressure");
+  owner_->add_role(aleisph::DIRICHLET, groupbit);
+  if (buffer_bit_) {
+    owner_->add_role(aleisph::BUFFER, buffer_bit_);
+    owner_->add_velocity_condition(this);
+  }
+  version_ = -1;
+
+  if (group->count(igroup) == 0)
+    error->all(FLERR, "Fix aleisph/pressure: group {} is empty", group->names[igroup]);
+  if (variable_.empty()) return;
+  const int ivar = input->variable->find(variable_.c_str());
+  if (ivar < 0 || (!input->variable->equalstyle(ivar) && !input->variable->atomstyle(ivar)))
+    error->all(FLERR, "Fix aleisph/pressure: {} is not an equal- or atom-style variable",
+               variable_);
+}
+
+void FixAleisphPressure::setup_pre_force(int vflag)
+{
+  if (buffer_bit_ && owner_->moving())
+    error->all(FLERR, "Fix aleisph/pressure: a buffer needs fix aleisph/predictor frame eulerian");
+  pre_force(vflag);
+}
+
+void FixAleisphPressure::pre_force(int)
+{
+  set_pressure();
+  if (buffer_bit_ && owner_->version() != version_) find_sources();
+}
+
+// prescribed rows of the PPE keep the value that the pressure field holds
+void FixAleisphPressure::set_pressure()
+{
+  const int n = atom->nlocal;
+  std::vector<double> p(n, value_);
+  if (!variable_.empty()) {
+    const int ivar = input->variable->find(variable_.c_str());
+    if (input->variable->equalstyle(ivar))
+      p.assign(n, input->variable->compute_equal(ivar));
+    else
+      input->variable->compute_atom(ivar, igroup, p.data(), 1, 0);
+  }
+
+  double *pressure = owner_->pressure();
+  tagint bad = 0, worst;
+  for (int i = 0; i < n; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (!std::isfinite(p[i])) bad = atom->tag[i];
+    pressure[i] = p[i];
+  }
+  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (worst)
+    error->all(FLERR, "Fix aleisph/pressure: pressure of atom {} is not finite at step {}", worst,
+               update->ntimestep);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphPressure::find_sources()
+{
+  const auto &disc = owner_->discretization();
+  buffer_.clear();
+  source_.clear();
+  slot_.assign(atom->nlocal, -1);
+  tagint bad = 0, worst;
+  for (const int i : disc.buffer()) {
+    if (!(atom->mask[i] & buffer_bit_)) continue;
+    const int j = nearest_source(i);
+    if (j < 0) bad = atom->tag[i];
+    slot_[i] = buffer_.size();
+    buffer_.push_back(i);
+    source_.push_back(j);
+  }
+  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (worst)
+    error->all(FLERR,
+               "Fix aleisph/pressure: buffer atom {} has no fluid particle one spacing away in the "
+               "buffer direction; align the layers or turn the direction towards the fluid",
+               worst);
+  find_depth();
+  version_ = owner_->version();
+}
+
+int FixAleisphPressure::nearest_source(int i) const
+{
+  const auto &s = owner_->discretization().stencil();
+  const double d = owner_->spacing();
+  const aleisph::Role *role = owner_->role();
+  double best = MAX_OFFSET * MAX_OFFSET * d * d;
+  int source = -1;
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    const int j = s.col()[k];
+    if (role[j] & aleisph::WALL) continue;
+    double square = 0.0;
+    for (int a = 0; a < s.dim(); a++) {
+      const double miss = -s.r()[k] * s.e(a)[k] - d * towards_[a];
+      square += miss * miss;
+    }
+    if (square < best) {
+      best = square;
+      source = j;
+    }
+  }
+  return source;
+}
+
+// Layers to the fluid, counted through ghosts: as many sweeps of impose() are needed
+void FixAleisphPressure::find_depth()
+{
+  constexpr double UNKNOWN = 1.0e9;
+  std::vector<double> depth(owner_->nall(), 0.0);
+  for (const int i : buffer_) depth[i] = UNKNOWN;
+  double deepest = 0.0;
+  for (int sweep = 0; sweep <= MAX_DEPTH; sweep++) {
+    owner_->forward(depth.data(), 1);
+    double mine = 0.0;
+    for (std::size_t k = 0; k < buffer_.size(); k++) {
+      depth[buffer_[k]] = depth[source_[k]] + 1.0;
+      mine = std::max(mine, depth[buffer_[k]]);
+    }
+    MPI_Allreduce(&mine, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
+    if (deepest < UNKNOWN) break;
+  }
+  if (deepest >= UNKNOWN)
+    error->all(FLERR, "Fix aleisph/pressure: buffer particles copy each other in a circle");
+  depth_ = static_cast<int>(deepest);
+}
+
+void FixAleisphPressure::impose(double *v)
+{
+  for (int sweep = 0; sweep < depth_; sweep++) {
+    owner_->forward(v, 3);
+    for (std::size_t k = 0; k < buffer_.size(); k++)
+      for (int a = 0; a < 3; a++) v[3 * buffer_[k] + a] = v[3 * source_[k] + a];
+  }
+  owner_->forward(v, 3);
+}
+
+int FixAleisphPressure::source(int i) const
+{
+  return slot_[i] < 0 ? -1 : source_[slot_[i]];
+}

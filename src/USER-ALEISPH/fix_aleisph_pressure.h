@@ -1,0 +1,60 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Prescribed pressure on a group (inlet, outlet). The particles beyond the
+   boundary plane may be a buffer, three layers deep, that copies the
+   velocity of its neighbor towards the fluid: zero normal gradient. Without
+   it the Laplacian at the boundary would be one-sided, which is unstable.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/pressure,FixAleisphPressure);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_PRESSURE_H
+#define LMP_FIX_ALEISPH_PRESSURE_H
+
+#include "fix.h"
+#include "fix_aleisph.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixAleisphPressure : public Fix, public AleisphVelocityCondition {
+ public:
+  FixAleisphPressure(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+
+  void impose(double *v) override;
+  int source(int i) const override;
+
+ private:
+  void set_pressure();
+  void find_sources();
+  int nearest_source(int i) const;
+  void find_depth();
+
+  double value_;
+  std::string variable_;    // equal or atom style, empty if constant
+  int buffer_bit_;          // group bit of the buffer, 0 if there is none
+  double towards_[3];       // unit vector from the buffer to the fluid
+  FixAleisph *owner_;
+  bigint version_;          // of the positions that the sources belong to
+  std::vector<int> buffer_, source_;    // owned buffer particles and what they copy
+  std::vector<int> slot_;               // per owned particle: index into buffer_, or -1
+  int depth_;               // layers of the buffer, the largest over all ranks
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
