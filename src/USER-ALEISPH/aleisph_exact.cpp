@@ -61,7 +61,7 @@ const std::vector<BesselZero> &bessel_zeros()
 }
 
 // tau at which the last zero is just negligible: 4e-6. Before it the layer is 500 times thinner
-// than the pipe; the plane layer times sqrt(R/r) leaves an error of order sqrt(tau) u.
+// than the radius; the plane layer times sqrt(R/r) leaves an error of order tau u.
 const double EARLY_PIPE = NEGLIGIBLE / std::pow(BESSEL_ZEROS * PI, 2);
 
 }    // namespace

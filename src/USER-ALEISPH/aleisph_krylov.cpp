@@ -60,7 +60,7 @@ class BiCGStab::Run {
   Exit cycle(double norm);
   Exit bicg_step(bool first);
   Exit stabilize();
-  double turn_shadow(double r_v, double v_length);
+  double turn_shadow(double v_length);
 
   LinearOperator &A_;
   Preconditioner &M_;
@@ -230,7 +230,7 @@ BiCGStab::Run::Exit BiCGStab::Run::bicg_step(bool first)
   double r0_v = sums[0];
   if (vanishes(r0_v, r0_length_, v_length)) {
     if (!first || v_length == 0.0) return Exit::BREAKDOWN;
-    r0_v = turn_shadow(r0_v, v_length);
+    r0_v = turn_shadow(v_length);
   }
   alpha_ = rho_ / r0_v;
   for (int i = 0; i < n_; i++) r_[i] -= alpha_ * v_[i];
@@ -239,13 +239,12 @@ BiCGStab::Run::Exit BiCGStab::Run::bicg_step(bool first)
 
 // At the start of a cycle r0 = r = p. If then r.v = 0, the shadow r + (|r|/|v|) v is as good as
 // any: it makes an angle of 45 degrees with both r and v. Returns the new r0.v.
-double BiCGStab::Run::turn_shadow(double r_v, double v_length)
+double BiCGStab::Run::turn_shadow(double v_length)
 {
   const double r_length = r0_length_, factor = r_length / v_length;
   for (int i = 0; i < n_; i++) r0_[i] += factor * v_[i];
-  rho_ += factor * r_v;
-  r0_length_ = std::sqrt(2.0) * r_length;
-  return r_v + r_length * v_length;
+  r0_length_ = std::sqrt(2.0) * r_length;    // rho = r0.r stays |r|^2
+  return r_length * v_length;
 }
 
 // t = A M s, omega = (t.s)/(t.t), x += alpha y + omega z, r = s - omega t, then the next p

@@ -14,23 +14,22 @@
      A*_ij = A_ij + P.g_ij                                              (13)
      G^t beta = -m(I),  G = sum_j w r m_ij (x) m_ij + T R^t,
      R     = sum_j r^2 m_ij (x) g_ij                                    (14)
-   G is dimensionless and close to -(2 beta-beta + m(I) m(I)^t)/(D + 2) in
-   the bulk, whose condition number is (D + 2)/2.
+   G is dimensionless; in the limit of many neighbours in the bulk it is
+   -(2 id + m(I) m(I)^t)/(D + 2), whose condition number is (D + 2)/2.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_lattice.h"
 #include "aleisph_operators.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace aleisph {
 namespace {
 
 constexpr double INF = std::numeric_limits<double>::infinity();
-constexpr LaplacianLimits NO_LIMITS = {0.0, INF, -INF, 0.0};
 
 template <int D> struct Space {
   static constexpr int K = D * (D + 1) / 2;
@@ -222,19 +221,6 @@ MorrisCount build_rows(const Stencil &s, const GradientWeights &g, const Rows &r
   return count;
 }
 
-// the points of the infinite lattice within the support of the first one
-std::vector<double> lattice_points(const Kernel &kernel, double d)
-{
-  const int n = static_cast<int>(std::ceil(kernel.support() / d));
-  const int nz = kernel.dim() == 3 ? n : 0;
-  std::vector<double> x = {0.0, 0.0, 0.0};
-  for (int k = -nz; k <= nz; k++)
-    for (int j = -n; j <= n; j++)
-      for (int i = -n; i <= n; i++)
-        if (i != 0 || j != 0 || k != 0) x.insert(x.end(), {i * d, j * d, k * d});
-  return x;
-}
-
 }    // namespace
 
 void LaplacianWeights::build(const Stencil &s, const GradientWeights &g, const Rows &rows,
@@ -254,26 +240,6 @@ void LaplacianWeights::build(const Stencil &s, const GradientWeights &g, const R
 double LaplacianWeights::bytes() const
 {
   return held(a_) + held(diagonal_) + held(condition_) + held(morris_);
-}
-
-double lattice_diagonal(const Kernel &kernel, double d)
-{
-  std::vector<double> points = lattice_points(kernel, d);
-  const int n = static_cast<int>(points.size()) / 3;
-  std::vector<double *> x(n);
-  for (int j = 0; j < n; j++) x[j] = &points[3 * j];
-  std::vector<int> others(n - 1);
-  std::iota(others.begin(), others.end(), 1);
-  const int count = n - 1, *first = others.data();
-
-  const double volume = std::pow(d, kernel.dim());
-  Stencil s;
-  s.build(kernel, 1, x.data(), {&count, &first, ~0});
-  GradientWeights g;
-  g.build(s, volume);
-  LaplacianWeights l;
-  l.build(s, g, {0}, volume, kernel, d, NO_LIMITS);
-  return -d * d * l.diagonal(0);
 }
 
 void laplacian(const Stencil &s, const LaplacianWeights &w, const Rows &rows, const double *v,

@@ -31,6 +31,7 @@ constexpr double HIDDEN = 20.0 * DEGREE;
 // on the diagonal of a square cell, and not on the free top of a tank's corner.
 constexpr double NEEDS_WITNESS = 75.0 * DEGREE;
 constexpr double WITNESS = 30.0 * DEGREE;    // so far from the bisector, at most
+constexpr double WITNESS_REACH = 1.4;        // and in units of the reach of the fan
 
 struct Neighbour {
   double r;
@@ -76,11 +77,11 @@ Fan wall_neighbours(const Stencil &s, const Role *role, int i, double reach)
 }
 
 // the nearest ones that keep the least angle to one another
-Fan select_fan(const Fan &all, double min_angle)
+Fan select_fan(const Fan &all, double reach, double min_angle)
 {
   Fan fan;
   for (const Neighbour &candidate : all)
-    if (std::all_of(fan.begin(), fan.end(), [&candidate, min_angle](const Neighbour &member) {
+    if (candidate.r <= reach && std::all_of(fan.begin(), fan.end(), [&candidate, min_angle](const Neighbour &member) {
           return angle(member.u, candidate.u) >= min_angle;
         }))
       fan.push_back(candidate);
@@ -183,8 +184,8 @@ void wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d
     Vec3 n = Vec3::Zero();
     status[i] = NormalStatus::UNKNOWN;
     if (to_fluid.squaredNorm() > 0.0) {
-      const Fan all = wall_neighbours(s, role, i, params.reach * d);
-      const Fan fan = select_fan(all, params.min_angle * DEGREE);
+      const Fan all = wall_neighbours(s, role, i, WITNESS_REACH * params.reach * d);
+      const Fan fan = select_fan(all, params.reach * d, params.min_angle * DEGREE);
       n = s.dim() == 2 ? normal_2d(fan, to_fluid)
                        : normal_3d(all, fan, to_fluid, params.max_gap * DEGREE);
       status[i] = NormalStatus::FAN;

@@ -23,7 +23,7 @@ enum class NormalStatus : char {
 };
 
 struct NormalParams {
-  double reach = 1.6;            // wall neighbours within reach * d form the fan
+  double reach = 1.4;            // wall neighbours within reach * d form the fan
   double min_angle = 50.0;       // degrees between two members of a fan, at least
   double max_gap = 150.0;        // degrees between neighbours in a fan; wider: a rim (3d)
 };

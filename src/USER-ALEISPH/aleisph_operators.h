@@ -93,10 +93,6 @@ class LaplacianWeights {
   MorrisCount count_;
 };
 
-// -d^2 sum_j a_ij of the corrected Laplacian on the infinite square/cubic
-// lattice of spacing d (2.87 in 2d, 3.56 in 3d for the cubic spline at h = 1.2 d)
-double lattice_diagonal(const Kernel &kernel, double d);
-
 // grad[3*i+a] = (grad f)_i
 void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *f,
               double *grad);

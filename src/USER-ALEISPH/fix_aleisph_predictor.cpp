@@ -7,7 +7,7 @@
 #include "fix_aleisph_predictor.h"
 
 #include "aleisph_halo_operator.h"
-#include "aleisph_stability.h"
+#include "aleisph_lattice.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
