@@ -93,7 +93,8 @@ double plane_poiseuille(double y, double t, double H, double G, double nu)
   const double tau = nu * t / (H * H);
   if (tau < EARLY_CHANNEL) {
     const double z = 0.5 / std::sqrt(tau);
-    return G * t * (1.0 - acceleration_deficit(z * (1.0 - s)) - acceleration_deficit(z * (1.0 + s)));
+    return G * t *
+        (1.0 - acceleration_deficit(z * (1.0 - s)) - acceleration_deficit(z * (1.0 + s)));
   }
   double sum = 0.0;
   for (int n = 0;; n++) {

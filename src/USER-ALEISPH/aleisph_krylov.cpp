@@ -78,8 +78,9 @@ class BiCGStab::Run {
 
 BiCGStab::Run::Run(BiCGStab &w, LinearOperator &A, Preconditioner &M, const InnerProduct &ip,
                    const KrylovParams &params, double *x) :
-    A_(A), M_(M), ip_(ip), params_(params), n_(A.rows()), columns_(A.columns()), x_(x), b_(w.b_),
-    r_(w.r_), r0_(w.r0_), p_(w.p_), v_(w.v_), t_(w.t_), y_(w.y_), z_(w.z_), best_(w.best_)
+    A_(A),
+    M_(M), ip_(ip), params_(params), n_(A.rows()), columns_(A.columns()), x_(x), b_(w.b_), r_(w.r_),
+    r0_(w.r0_), p_(w.p_), v_(w.v_), t_(w.t_), y_(w.y_), z_(w.z_), best_(w.best_)
 {
   for (std::vector<double> *v : {&b_, &r_, &r0_, &p_, &v_, &t_}) v->resize(n_);
   for (std::vector<double> *v : {&y_, &z_, &best_}) v->resize(columns_);

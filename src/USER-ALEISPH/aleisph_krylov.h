@@ -38,12 +38,12 @@ class InnerProduct {
 };
 
 struct KrylovParams {
-  double rtol = 1.0e-8;           // converged if |r| <= max(rtol |b|, atol), 2-norms
+  double rtol = 1.0e-8;    // converged if |r| <= max(rtol |b|, atol), 2-norms
   double atol = 0.0;
   int max_iterations = 1000;
   int max_restarts = 20;
-  bool remove_mean = false;       // singular system with constant null vector: the mean is
-                                  // taken from b and from every product, and from x at the end
+  bool remove_mean = false;    // singular system with constant null vector: the mean is
+                               // taken from b and from every product, and from x at the end
 };
 
 enum class SolveStatus { CONVERGED, ZERO_RHS, MAX_ITERATIONS, BREAKDOWN, NOT_FINITE };
@@ -53,10 +53,10 @@ struct SolveReport {
   SolveStatus status = SolveStatus::CONVERGED;
   int iterations = 0;
   int restarts = 0;
-  double rhs_norm = 0.0;             // |b| after remove_mean
-  double rhs_mean = 0.0;             // what remove_mean took from b, else the mean of b
-  double initial_residual = 0.0;     // |b - A x0|
-  double residual = 0.0;             // true |b - A x| at the end, recomputed
+  double rhs_norm = 0.0;            // |b| after remove_mean
+  double rhs_mean = 0.0;            // what remove_mean took from b, else the mean of b
+  double initial_residual = 0.0;    // |b - A x0|
+  double residual = 0.0;            // true |b - A x| at the end, recomputed
   bool ok() const { return status == SolveStatus::CONVERGED || status == SolveStatus::ZERO_RHS; }
 };
 
@@ -73,7 +73,7 @@ class BiCGStab {
   double bytes() const;
 
  private:
-  class Run;    // one solve
+  class Run;                                      // one solve
   std::vector<double> b_, r_, r0_, p_, v_, t_;    // rows() entries
   std::vector<double> y_, z_, best_;              // columns() entries
 };

@@ -81,7 +81,8 @@ Fan select_fan(const Fan &all, double reach, double min_angle)
 {
   Fan fan;
   for (const Neighbour &candidate : all)
-    if (candidate.r <= reach && std::all_of(fan.begin(), fan.end(), [&candidate, min_angle](const Neighbour &member) {
+    if (candidate.r <= reach &&
+        std::all_of(fan.begin(), fan.end(), [&candidate, min_angle](const Neighbour &member) {
           return angle(member.u, candidate.u) >= min_angle;
         }))
       fan.push_back(candidate);
@@ -102,7 +103,9 @@ double azimuth(const Vec3 &u, const Vec3 &axis, const Vec3 &e1)
 Vec3 normal_2d(const Fan &fan, const Vec3 &axis)
 {
   if (fan.empty()) return Vec3::Zero();
-  const auto rotated = [](const Vec3 &u, double sign) { return Vec3(-sign * u[1], sign * u[0], 0.0); };
+  const auto rotated = [](const Vec3 &u, double sign) {
+    return Vec3(-sign * u[1], sign * u[0], 0.0);
+  };
   if (fan.size() == 1) {
     const Vec3 n = rotated(fan[0].u, 1.0);
     return n.dot(axis) < 0.0 ? Vec3(-n) : n;
@@ -152,9 +155,8 @@ bool is_wall(const Vec3 &u, const Vec3 &v, double width, const Fan &all, double 
   if (width >= max_gap) return false;
   if (width <= NEEDS_WITNESS) return true;
   const Vec3 bisector = u + v;
-  return std::any_of(all.begin(), all.end(), [&bisector](const Neighbour &m) {
-    return angle(m.u, bisector) <= WITNESS;
-  });
+  return std::any_of(all.begin(), all.end(),
+                     [&bisector](const Neighbour &m) { return angle(m.u, bisector) <= WITNESS; });
 }
 
 // 3d: the sum of the normals of the facets, weighted by their angles at i

@@ -17,15 +17,15 @@
 namespace aleisph {
 
 enum class NormalStatus : char {
-  FAN,        // from the facets
-  FLUID,      // too few wall neighbours: the direction to the fluid
-  UNKNOWN     // no fluid within the support: which side it is on is not known, n = 0
+  FAN,       // from the facets
+  FLUID,     // too few wall neighbours: the direction to the fluid
+  UNKNOWN    // no fluid within the support: which side it is on is not known, n = 0
 };
 
 struct NormalParams {
-  double reach = 1.4;            // wall neighbours within reach * d form the fan
-  double min_angle = 50.0;       // degrees between two members of a fan, at least
-  double max_gap = 150.0;        // degrees between neighbours in a fan; wider: a rim (3d)
+  double reach = 1.4;         // wall neighbours within reach * d form the fan
+  double min_angle = 50.0;    // degrees between two members of a fan, at least
+  double max_gap = 150.0;     // degrees between neighbours in a fan; wider: a rim (3d)
 };
 
 // Writes normal[3*i+a] and status[i] for the owned rows listed (all WALL).

@@ -122,6 +122,15 @@ void gradient_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, con
   }
 }
 
+// v_j - v_i; of a slip wall only its normal part, as the tangential one follows the fluid
+inline Vec<3> difference(const double *v, int i, int j, const Role *role, const double *normal)
+{
+  const Vec<3> dv = at(v, j) - at(v, i);
+  if (!normal || !(role[j] & SLIP)) return dv;
+  const Vec<3> n_j = at(normal, j);
+  return n_j * n_j.dot(dv);
+}
+
 template <int D>
 void divergence_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, const double *v,
                      const Role *role, const double *normal, double *div)
@@ -129,28 +138,22 @@ void divergence_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, c
   const int *col = s.col();
   for (int i : rows) {
     double sum = 0.0;
-    for (int k = s.begin(i); k < s.end(i); k++) {
-      const int j = col[k];
-      Vec<3> dv = at(v, j) - at(v, i);
-      if (normal && (role[j] & SLIP)) {
-        const Vec<3> n_j = at(normal, j);
-        dv = n_j * n_j.dot(dv);
-      }
-      sum += g(k).dot(dv.template head<D>());
-    }
+    for (int k = s.begin(i); k < s.end(i); k++)
+      sum += g(k).dot(difference(v, i, col[k], role, normal).template head<D>());
     div[i] = sum;
   }
 }
 
 template <int D>
 void convection_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, const double *c,
-                     const double *v, double *out)
+                     const double *v, const Role *role, const double *normal, double *out)
 {
   const int *col = s.col();
   for (int i : rows) {
     const Vec<D> c_i = at(c, i).template head<D>();
     Vec<3> sum = Vec<3>::Zero();
-    for (int k = s.begin(i); k < s.end(i); k++) sum += c_i.dot(g(k)) * (at(v, col[k]) - at(v, i));
+    for (int k = s.begin(i); k < s.end(i); k++)
+      sum += c_i.dot(g(k)) * difference(v, i, col[k], role, normal);
     store(sum, out, i);
   }
 }
@@ -202,12 +205,12 @@ void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, co
 }
 
 void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *c,
-                const double *v, double *out)
+                const double *v, const Role *role, const double *normal, double *out)
 {
   if (s.dim() == 2)
-    convection_rows<2>(s, weights<2>(g), rows, c, v, out);
+    convection_rows<2>(s, weights<2>(g), rows, c, v, role, normal, out);
   else
-    convection_rows<3>(s, weights<3>(g), rows, c, v, out);
+    convection_rows<3>(s, weights<3>(g), rows, c, v, role, normal, out);
 }
 
 void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,

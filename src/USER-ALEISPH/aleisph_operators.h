@@ -103,9 +103,9 @@ void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, cons
 void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
                 const Role *role, const double *normal, double *div);
 
-// out[3*i+a] = (c_i . grad) v_a
+// out[3*i+a] = (c_i . grad) v_a, slip walls as in divergence()
 void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *c,
-                const double *v, double *out);
+                const double *v, const Role *role, const double *normal, double *out);
 
 // out[3*i+a] = (lap v_a)_i, neighbours with role SLIP left out (v_j := v_i)
 void laplacian(const Stencil &s, const LaplacianWeights &w, const Rows &rows, const double *v,

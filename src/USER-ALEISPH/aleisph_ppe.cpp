@@ -86,8 +86,8 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
 }
 
 void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
-             const double *vwall, const double *div, const double *p, double d,
-             double rho_over_dt, double *b)
+             const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
+             double *b)
 {
   const int n = static_cast<int>(type.size());
   for (int i = 0; i < n; i++) {
@@ -96,8 +96,7 @@ void ppe_rhs(const std::vector<RowType> &type, const double *normal, const doubl
     if (type[i] == RowType::DIRICHLET) b[i] = p[i];
     if (type[i] == RowType::WALL) {
       double v_n = 0.0;
-      for (int a = 0; a < 3; a++)
-        v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];
+      for (int a = 0; a < 3; a++) v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];
       b[i] = -d * rho_over_dt * v_n;
     }
   }

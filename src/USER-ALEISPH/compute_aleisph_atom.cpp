@@ -58,7 +58,8 @@ void ComputeAleisphAtom::init()
 void ComputeAleisphAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  if (owner_->discretization().stencil().rows() != atom->nlocal)
+  owner_ = FixAleisph::find(lmp, "Compute aleisph/atom");
+  if (!owner_->ready())
     error->all(FLERR, "Compute aleisph/atom: no stencil for the present particles; use run 0 first");
   const int ncols = static_cast<int>(fields_.size());
   if (atom->nmax > nmax_) {

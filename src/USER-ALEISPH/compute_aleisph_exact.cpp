@@ -33,6 +33,7 @@ void store(const exact::Flow2d &flow, double *out)
 
 struct Case {
   int nargs;
+  const char *positive;    // a + for each argument that must be positive
   std::function<std::function<void(const double *, double, double *)>(const double *)> make;
 };
 
@@ -40,7 +41,7 @@ const std::map<std::string, Case> &cases()
 {
   static const std::map<std::string, Case> table = {
       {"pipe",
-       {3,
+       {3, "+.+",
         [](const double *p) {
           const double R = p[0], G = p[1], nu = p[2];
           return [=](const double *x, double t, double *out) {
@@ -48,7 +49,7 @@ const std::map<std::string, Case> &cases()
           };
         }}},
       {"plane",
-       {3,
+       {3, "+.+",
         [](const double *p) {
           const double H = p[0], G = p[1], nu = p[2];
           return [=](const double *x, double t, double *out) {
@@ -56,7 +57,7 @@ const std::map<std::string, Case> &cases()
           };
         }}},
       {"couette",
-       {3,
+       {3, "+.+",
         [](const double *p) {
           const double H = p[0], U = p[1], nu = p[2];
           return [=](const double *x, double t, double *out) {
@@ -64,7 +65,7 @@ const std::map<std::string, Case> &cases()
           };
         }}},
       {"taylor-green",
-       {4,
+       {4, "+.+.",
         [](const double *p) {
           const double L = p[0], U = p[1], rho = p[2], nu = p[3];
           return [=](const double *x, double t, double *out) {
@@ -72,7 +73,7 @@ const std::map<std::string, Case> &cases()
           };
         }}},
       {"stokes",
-       {5,
+       {5, "++.++",
         [](const double *p) {
           const double Lx = p[0], H = p[1], U = p[2], rho = p[3], nu = p[4];
           return [=](const double *x, double t, double *out) {
@@ -103,6 +104,9 @@ ComputeAleisphExact::ComputeAleisphExact(LAMMPS *lmp, int narg, char **arg) :
     parameter[k] = utils::numeric(FLERR, arg[4 + k], false, lmp);
     if (!std::isfinite(parameter[k]))
       error->all(FLERR, "Compute aleisph/exact: parameter {} is not finite", arg[4 + k]);
+    if (found->second.positive[k] == '+' && !(parameter[k] > 0.0))
+      error->all(FLERR, "Compute aleisph/exact: parameter {} of case {} must be positive, not {}",
+                 k + 1, arg[3], arg[4 + k]);
   }
   if (narg == 5 + nargs && strcmp(arg[4 + nargs], "steady") == 0)
     steady_ = true;

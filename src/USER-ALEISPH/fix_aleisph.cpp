@@ -30,8 +30,10 @@ using aleisph::Role;
 
 namespace {
 
-constexpr char FIELD_FIX[] = "ALEISPH_P";
-constexpr char FIELD_NAME[] = "aleisph_p";
+constexpr char PRESSURE_FIX[] = "ALEISPH_P";
+constexpr char PRESSURE[] = "aleisph_p";
+constexpr char WALL_VELOCITY_FIX[] = "ALEISPH_VW";
+constexpr char WALL_VELOCITY[] = "aleisph_vw";
 // masses are typed or printed with seven digits at least
 constexpr double MASS_TOLERANCE = 1.0e-6;
 
@@ -85,7 +87,9 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 
 FixAleisph::~FixAleisph()
 {
-  if (modify && modify->get_fix_by_id(FIELD_FIX)) modify->delete_fix(FIELD_FIX);
+  if (!modify) return;
+  for (const char *id : {PRESSURE_FIX, WALL_VELOCITY_FIX})
+    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
 }
 
 void FixAleisph::parse(int narg, char **arg)
@@ -130,7 +134,9 @@ void FixAleisph::read_fluid_file(const char *filename)
     } else {
       units = utils::get_potential_units(path, "fluid property");
       message = aleisph::read_fluid(in, fluid_);
-      if (message.empty() && units != update->unit_style)
+      if (message.empty() && units.empty())
+        message = "names no UNITS in its first line";
+      else if (message.empty() && units != update->unit_style)
         message = fmt::format("is in units '{}' but the script uses units {}", units,
                               update->unit_style);
     }
@@ -153,8 +159,10 @@ int FixAleisph::setmask()
 
 void FixAleisph::post_constructor()
 {
-  modify->add_fix(fmt::format("{} all property/atom d_{} ghost yes writedata no", FIELD_FIX,
-                              FIELD_NAME));
+  modify->add_fix(fmt::format("{} all property/atom d_{} ghost yes writedata no", PRESSURE_FIX,
+                              PRESSURE));
+  modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", WALL_VELOCITY_FIX,
+                              WALL_VELOCITY));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -193,7 +201,21 @@ int FixAleisph::nall() const
 double *FixAleisph::pressure()
 {
   int flag, cols;
-  return atom->dvector[atom->find_custom(FIELD_NAME, flag, cols)];
+  return atom->dvector[atom->find_custom(PRESSURE, flag, cols)];
+}
+
+double *FixAleisph::previous_wall_velocity()
+{
+  int flag, cols;
+  double **array = atom->darray[atom->find_custom(WALL_VELOCITY, flag, cols)];
+  return atom->nmax ? &array[0][0] : nullptr;
+}
+
+bool FixAleisph::ready() const
+{
+  int mine = version_ > 0 && discretization_->stencil().rows() == atom->nlocal, all;
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, world);
+  return all;
 }
 
 double *FixAleisph::velocity()
@@ -211,6 +233,7 @@ void FixAleisph::init()
   moving_ = false;
 
   check_integrator();
+  check_companions();
   check_fix_order();
   set_cutoff();
   neighbor->add_request(this, NeighConst::REQ_FULL)
@@ -229,15 +252,27 @@ void FixAleisph::check_integrator() const
     error->all(FLERR, "Fix aleisph cannot be used with minimize; unfix it first");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix aleisph cannot be used with run_style respa; use run_style verlet");
-  if (utils::strmatch(update->unit_style, "^(real|metal|electron)$"))
+  const std::string units = update->unit_style;
+  if (units == "real" || units == "metal" || units == "electron")
     error->all(FLERR, "Fix aleisph cannot be used with units {}; use lj, si, cgs, micro or nano",
-               update->unit_style);
-  if (neighbor->exclude)
+               units);
+  if (!(update->dt > 0.0) || !std::isfinite(update->dt))
+    error->all(FLERR, "Fix aleisph: timestep must be positive, it is {}", update->dt);
+  if (neighbor->nex_type + neighbor->nex_group + neighbor->nex_mol > 0)
     error->all(FLERR, "Fix aleisph cannot be used with neigh_modify exclude: particles would miss "
                       "neighbors; remove the exclusion");
   if (comm->mode != Comm::SINGLE)
     error->all(FLERR, "Fix aleisph needs comm_modify mode single");
   if (!atom->tag_enable) error->all(FLERR, "Fix aleisph needs atom IDs");
+}
+
+void FixAleisph::check_companions() const
+{
+  if (group->count(igroup) == 0)
+    error->all(FLERR, "Fix aleisph: group {} is empty", group->names[igroup]);
+  for (const char *other : {"aleisph/predictor", "aleisph/ppe"})
+    if (modify->get_fix_by_style(fmt::format("^{}$", other)).empty())
+      error->all(FLERR, "Fix aleisph needs a fix {}", other);
 }
 
 void FixAleisph::check_fix_order() const
@@ -436,6 +471,7 @@ double FixAleisph::compute_vector(int n)
 {
   const auto &disc = *discretization_;
   const auto &counts = disc.counts();
+  if (!ready()) return 0.0;
   switch (n) {
     case 0: return sum(disc.fluid().size());
     case 1: return sum(disc.wall().size());
@@ -462,6 +498,7 @@ double FixAleisph::compute_vector(int n)
 void FixAleisph::post_run()
 {
   report_timing();
+  timers_.reset();    // run ... pre no does not come through init()
 }
 
 void FixAleisph::report_timing()
@@ -487,6 +524,13 @@ void FixAleisph::report_timing()
                       counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
+  const long morris =
+      counts.laplacian ? sum(discretization_->laplacian().morris_count().total()) : 0;
+  const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
+  if (morris || singular || pivots)
+    text += fmt::format("ALEISPH guards in the last step: {} rows of Morris, {} singular rows, {} "
+                        "replaced pivots\n",
+                        morris, singular, pivots);
   if (comm->me == 0) utils::logmesg(lmp, text);
 }
 

@@ -84,11 +84,13 @@ class FixAleisph : public Fix {
   // -- valid from pre_force on, until particles move or migrate
   aleisph::Discretization &discretization() { return *discretization_; }
   bigint version() const { return version_; }             // changes with the positions
+  bool ready() const;    // there is a stencil, and it is that of the present particles
   const aleisph::Role *role() const { return role_.data(); }    // owned and ghost
   double *normal() { return normal_.data(); }             // 3 per particle, owned and ghost
   double *vstar() { return vstar_.data(); }               // 3 per particle, owned and ghost
   double *pressure();                                     // d_aleisph_p, owned and ghost
   double *velocity();                                     // atom->v as one array
+  double *previous_wall_velocity();    // d2_aleisph_vw: v of owned walls at the last step's end
   // what the last PPE made of each owned particle; empty before the first assembly
   std::vector<aleisph::RowType> &row_types() { return row_types_; }
   bool moving() const { return moving_; }
@@ -117,6 +119,7 @@ class FixAleisph : public Fix {
   void parse(int narg, char **arg);
   void read_fluid_file(const char *filename);
   void check_integrator() const;
+  void check_companions() const;
   void check_fix_order() const;
   void check_masses() const;
   void set_cutoff();

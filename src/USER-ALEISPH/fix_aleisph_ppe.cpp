@@ -11,6 +11,8 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_aleisph.h"
+#include "group.h"
+#include "modify.h"
 #include "update.h"
 #include "utils.h"
 
@@ -81,6 +83,11 @@ int FixAleisphPPE::setmask()
 void FixAleisphPPE::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/ppe");
+  if (modify->get_fix_by_style("^aleisph/ppe$").size() > 1)
+    error->all(FLERR, "Fix aleisph/ppe: there must be only one");
+  if (igroup != owner_->igroup)
+    error->all(FLERR, "Fix aleisph/ppe: group must be that of fix {}, {}", owner_->id,
+               group->names[owner_->igroup]);
   version_ = -1;
 }
 
@@ -264,6 +271,8 @@ double FixAleisphPPE::compute_scalar()
 
 double FixAleisphPPE::compute_vector(int n)
 {
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/ppe");
+  if (!owner_->ready()) return 0.0;
   switch (n) {
     case 0: return report_.iterations;
     case 1: return report_.rhs_norm > 0.0 ? report_.residual / report_.rhs_norm : report_.residual;

@@ -166,6 +166,8 @@ void FixAleisphPredictor::init()
 
 void FixAleisphPredictor::reset_dt()
 {
+  if (!(update->dt > 0.0) || !std::isfinite(update->dt))
+    error->all(FLERR, "Fix aleisph/predictor: timestep must be positive, it is {}", update->dt);
   check_viscous_limit();
 }
 
@@ -196,7 +198,8 @@ void FixAleisphPredictor::check_viscous_limit() const
                "Fix aleisph/predictor: explicit viscosity is unstable at nu dt/d^2 = {:.4g}; use a "
                "timestep of at most {:.6g}, or scheme be or cn",
                viscous_number(), safe_dt);
-  if (viscous_number() > SAFE_SHARE * limit * (1.0 + 1.0e-9) && comm->me == 0)
+  // the message gives the safe step with six digits
+  if (viscous_number() > SAFE_SHARE * limit * (1.0 + 1.0e-5) && comm->me == 0)
     error->warning(FLERR,
                    "Fix aleisph/predictor: nu dt/d^2 = {:.4g} is near the limit of explicit "
                    "viscosity; a timestep of at most {:.6g} is safe",
@@ -218,7 +221,8 @@ void FixAleisphPredictor::setup(int)
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   auto &disc = owner_->discretization();
   body_acceleration(a_);
-  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), v, v, work_.data());
+  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), v, v, owner_->role(),
+                      owner_->normal(), work_.data());
   for (const int i : disc.fluid())
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
   add_viscosity(1.0, a_);
@@ -249,15 +253,33 @@ void FixAleisphPredictor::evaluate_transport()
   std::vector<double> values(atom->nlocal);
   for (int a = 0; a < domain->dimension; a++) {
     const std::string &word = params_.transport[a];
-    if (utils::strmatch(word, "^v_")) {
-      const int ivar = input->variable->find(word.c_str() + 2);
-      if (ivar < 0 || !input->variable->atomstyle(ivar))
-        error->all(FLERR, "Fix aleisph/predictor: {} is not an atom-style variable", word);
-      input->variable->compute_atom(ivar, igroup, values.data(), 1, 0);
-    } else
+    if (!utils::strmatch(word, "^v_")) {
       values.assign(atom->nlocal, utils::numeric(FLERR, word, false, lmp));
+    } else {
+      const int ivar = input->variable->find(word.c_str() + 2);
+      if (ivar >= 0 && input->variable->equalstyle(ivar))
+        values.assign(atom->nlocal, input->variable->compute_equal(ivar));
+      else if (ivar >= 0 && input->variable->atomstyle(ivar))
+        input->variable->compute_atom(ivar, igroup, values.data(), 1, 0);
+      else
+        error->all(FLERR, "Fix aleisph/predictor: {} is not an equal- or atom-style variable", word);
+    }
     for (int i = 0; i < atom->nlocal; i++) w[3 * i + a] = values[i];
   }
+  name_bad_atom(w, "transport velocity");
+}
+
+// an error if a value is not finite; v: 3 per particle
+void FixAleisphPredictor::name_bad_atom(const double *v, const char *what) const
+{
+  tagint bad = 0, worst;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int a = 0; a < domain->dimension; a++)
+      if (!std::isfinite(v[3 * i + a])) bad = atom->tag[i];
+  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (worst)
+    error->all(FLERR, "Fix aleisph/predictor: {} of atom {} is not finite at step {}", what, worst,
+               update->ntimestep);
 }
 
 void FixAleisphPredictor::final_integrate()
@@ -295,7 +317,8 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
     for (std::size_t k = 0; k < a.size(); k++) relative_[k] = v[k] - w[k];
     c = relative_.data();
   }
-  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), c, v, work_.data());
+  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), c, v, owner_->role(),
+                      owner_->normal(), work_.data());
   for (const int i : disc.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
 }
@@ -361,9 +384,24 @@ void FixAleisphPredictor::predict_explicit()
   extrapolate(a_);
   const double *v = owner_->velocity();
   double *vstar = owner_->vstar();
-  for (const auto *rows : {&disc.fluid(), &disc.wall()})
-    for (const int i : *rows)
-      for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
+  predict_walls();
+}
+
+/* ----------------------------------------------------------------------
+   v* of a wall is what the fluid at this place would have without pressure:
+   the velocity before the step and the body force. With the velocity after
+   the step the acceleration of a wall would not push the fluid.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::predict_walls()
+{
+  const auto &wall = owner_->discretization().wall();
+  const double *before = owner_->previous_wall_velocity();
+  double *vstar = owner_->vstar();
+  for (const int i : wall)
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
 }
 
 /* ----------------------------------------------------------------------
@@ -389,8 +427,7 @@ void FixAleisphPredictor::predict_implicit()
                     grad_p_.data());
   const double *v = owner_->velocity();
   double *vstar = owner_->vstar();
-  for (const int i : disc.wall())
-    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + dt * a_[k];
+  predict_walls();
 
   add_viscosity(1.0 - params_.theta, a_);
   std::vector<double> &rhs = a_;
@@ -458,6 +495,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
     const auto report =
         krylov_.solve(op, *precond_, owner_->inner_product(), b.data(), u.data(), krylov);
     viscous_iterations_ += report.iterations;
+    if (report.status == aleisph::SolveStatus::NOT_FINITE) name_bad_atom(rhs.data(), "acceleration");
     if (!report.ok())
       error->all(FLERR,
                  "Fix aleisph/predictor: viscous velocity not converged at step {} ({}): {} "
@@ -522,6 +560,8 @@ double FixAleisphPredictor::time_step_limit() const
 
 double FixAleisphPredictor::compute_vector(int n)
 {
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/predictor");
+  if (!owner_->ready()) return 0.0;
   switch (n) {
     case 0: return largest_norm(owner_->velocity()) * update->dt / owner_->spacing();
     case 1: return viscous_number();

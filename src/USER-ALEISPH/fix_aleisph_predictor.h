@@ -74,9 +74,11 @@ class FixAleisphPredictor : public Fix {
   void extrapolate(std::vector<double> &a);
   void predict_explicit();
   void predict_implicit();
+  void predict_walls();
   void assemble_viscous();
   void solve_viscous(std::vector<double> &rhs);
   void evaluate_transport();
+  void name_bad_atom(const double *v, const char *what) const;
   double largest_norm(const double *v) const;
   double viscous_number() const;
   double time_step_limit() const;

@@ -29,7 +29,7 @@ constexpr int MAX_DEPTH = 100;
 }    // namespace
 
 FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), value_(0.0), buffer_bit_(0), towards_{0.0, 0.0, 0.0}, owner_(nullptr),
+    Fix(lmp, narg, arg), value_(0.0), buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0}, owner_(nullptr),
     version_(-1), depth_(0)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/pressure", error);
@@ -42,10 +42,11 @@ FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
   if (narg == 4) return;
   if (strcmp(arg[4], "buffer") != 0)
     error->all(FLERR, "Fix aleisph/pressure: unknown keyword {}", arg[4]);
-  if (narg != 9) utils::missing_cmd_args(FLERR, "fix aleisph/pressure buffer", error);
-  const int jgroup = group->find(arg[5]);
-  if (jgroup < 0) error->all(FLERR, "Fix aleisph/pressure: unknown buffer group {}", arg[5]);
-  buffer_bit_ = group->bitmask[jgroup];
+  if (narg < 9) utils::missing_cmd_args(FLERR, "fix aleisph/pressure buffer", error);
+  if (narg > 9) error->all(FLERR, "Fix aleisph/pressure: unknown keyword {}", arg[9]);
+  buffer_group_ = group->find(arg[5]);
+  if (buffer_group_ < 0) error->all(FLERR, "Fix aleisph/pressure: unknown buffer group {}", arg[5]);
+  buffer_bit_ = group->bitmask[buffer_group_];
   double norm = 0.0;
   for (int a = 0; a < 3; a++) {
     towards_[a] = utils::numeric(FLERR, arg[6 + a], false, lmp);
@@ -73,6 +74,9 @@ void FixAleisphPressure::init()
 
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix aleisph/pressure: group {} is empty", group->names[igroup]);
+  if (buffer_group_ >= 0 && group->count(buffer_group_) == 0)
+    error->all(FLERR, "Fix aleisph/pressure: buffer group {} is empty",
+               group->names[buffer_group_]);
   if (variable_.empty()) return;
   const int ivar = input->variable->find(variable_.c_str());
   if (ivar < 0 || (!input->variable->equalstyle(ivar) && !input->variable->atomstyle(ivar)))

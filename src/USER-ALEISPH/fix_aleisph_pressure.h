@@ -45,7 +45,7 @@ class FixAleisphPressure : public Fix, public AleisphVelocityCondition {
 
   double value_;
   std::string variable_;    // equal or atom style, empty if constant
-  int buffer_bit_;          // group bit of the buffer, 0 if there is none
+  int buffer_group_, buffer_bit_;    // index and bit of the buffer's group; -1, 0 if there is none
   double towards_[3];       // unit vector from the buffer to the fluid
   FixAleisph *owner_;
   bigint version_;          // of the positions that the sources belong to

@@ -32,6 +32,7 @@ FixAleisphWall::FixAleisphWall(LAMMPS *lmp, int narg, char **arg) :
     version_(-1), from_fluid_(0)
 {
   parse(narg, arg);
+  nevery = 1;
   scalar_flag = 1;
   global_freq = 1;
   extscalar = 0;
@@ -86,7 +87,7 @@ void FixAleisphWall::parse(int narg, char **arg)
 
 int FixAleisphWall::setmask()
 {
-  return PRE_FORCE;
+  return PRE_FORCE | END_OF_STEP;
 }
 
 void FixAleisphWall::init()
@@ -125,6 +126,21 @@ void FixAleisphWall::pre_force(int)
 {
   if (prescribed_) set_velocity();
   if (owner_->version() != version_) find_normals();
+}
+
+void FixAleisphWall::setup(int)
+{
+  end_of_step();
+}
+
+// An accelerating wall changes the velocity of its particles before the predictor
+// runs, in whatever fix; what the fluid felt in the step before is kept here.
+void FixAleisphWall::end_of_step()
+{
+  double *previous = owner_->previous_wall_velocity();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      for (int a = 0; a < 3; a++) previous[3 * i + a] = atom->v[i][a];
 }
 
 void FixAleisphWall::set_velocity()

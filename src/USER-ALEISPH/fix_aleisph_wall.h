@@ -29,7 +29,9 @@ class FixAleisphWall : public Fix {
   int setmask() override;
   void init() override;
   void setup_pre_force(int) override;
+  void setup(int) override;
   void pre_force(int) override;
+  void end_of_step() override;
   double compute_scalar() override;
 
  private:

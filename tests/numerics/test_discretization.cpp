@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Rows by role, weights built on demand and kept, and timers that add up.
+
+#include "aleisph_discretization.h"
+
+#include <array>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace aleisph;
+
+// a 5 x 5 lattice of unit spacing; everybody is everybody's candidate
+class Patch {
+ public:
+  Patch()
+  {
+    for (int k = 0; k < N; k++) points_[k] = {1.0 * (k % 5), 1.0 * (k / 5), 0.0};
+    for (int k = 0; k < N; k++) {
+      x_[k] = points_[k].data();
+      for (int j = 0; j < N; j++)
+        if (j != k) lists_[k].push_back(j);
+      count_[k] = N - 1;
+      first_[k] = lists_[k].data();
+    }
+    role.fill(FLUID);
+  }
+  void update(Discretization &disc) const
+  {
+    disc.update(N, x_.data(), {count_.data(), first_.data(), ~0}, role.data());
+  }
+
+  static constexpr int N = 25;
+  std::array<Role, N> role;
+
+ private:
+  std::array<std::array<double, 3>, N> points_;
+  std::array<const double *, N> x_;
+  std::array<std::vector<int>, N> lists_;
+  std::array<int, N> count_;
+  std::array<const int *, N> first_;
+};
+
+TEST(Discretization, SortsRowsByRole)
+{
+  Timers timers;
+  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  Patch patch;
+  patch.role[0] = WALL | DIRICHLET;
+  patch.role[1] = FLUID | BUFFER | DIRICHLET;
+  patch.role[2] = FLUID | DIRICHLET;
+  patch.update(disc);
+  EXPECT_EQ(disc.wall(), Rows({0}));
+  EXPECT_EQ(disc.buffer(), Rows({1}));
+  EXPECT_EQ(disc.fluid().size(), 23u);
+  EXPECT_EQ(disc.fluid().front(), 2);
+  EXPECT_EQ(disc.all().size(), 25u);
+}
+
+TEST(Discretization, BuildsOnceAndOnlyWhatIsAskedFor)
+{
+  Timers timers;
+  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  const Patch patch;
+  patch.update(disc);
+  EXPECT_EQ(disc.counts().stencil, 1);
+  EXPECT_EQ(disc.counts().gradient, 0);
+  disc.laplacian();    // needs the gradient
+  disc.laplacian();
+  disc.gradient();
+  EXPECT_EQ(disc.counts().gradient, 1);
+  EXPECT_EQ(disc.counts().laplacian, 1);
+  patch.update(disc);
+  disc.gradient();
+  EXPECT_EQ(disc.counts().stencil, 2);
+  EXPECT_EQ(disc.counts().gradient, 2);
+  EXPECT_EQ(disc.counts().laplacian, 1);
+  EXPECT_GT(disc.bytes(), 0.0);
+}
+
+TEST(Timers, InnerScopeIsNotCountedInTheOuterOne)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto wait = [](double seconds) {
+    const auto start = Clock::now();
+    while (std::chrono::duration<double>(Clock::now() - start).count() < seconds) {}
+  };
+  Timers timers;
+  const auto start = Clock::now();
+  {
+    Timers::Scope solve(timers, Part::SOLVE);
+    wait(0.02);
+    {
+      Timers::Scope comm(timers, Part::COMM);
+      wait(0.03);
+    }
+    wait(0.01);
+  }
+  const double total = std::chrono::duration<double>(Clock::now() - start).count();
+  // lower bounds are what was waited for, the upper one is the whole: no other clock is involved
+  EXPECT_GE(timers.seconds(Part::SOLVE), 0.03);
+  EXPECT_GE(timers.seconds(Part::COMM), 0.03);
+  EXPECT_LE(timers.seconds(Part::SOLVE) + timers.seconds(Part::COMM), total);
+  EXPECT_EQ(timers.seconds(Part::MOMENTUM), 0.0);
+}
+
+}    // namespace

@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-only
+"""Rules on the sources that no compiler checks: check_sources.py RULE
+
+dependencies  numerics (aleisph_*) include only numerics, the standard library and Eigen; a style
+              (fix_*, compute_*) includes numerics, LAMMPS and the owner, but no other style
+headers       file heads: the licence line; include guards LMP_<FILE NAME>_H
+ascii         source, scripts, examples and documentation are plain ASCII
+names         no header of ours has the name of one of LAMMPS' headers
+Prints file:line of every violation; the exit status is 1 if there is one.
+"""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+PACKAGE = TOP / "src" / "USER-ALEISPH"
+OWNER = {"fix_aleisph.h", "aleisph_halo_operator.h"}    # the owner and what it lends to styles
+LICENCE = "SPDX-License-Identifier: GPL-2.0-only"
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+STYLE = re.compile(r"^(fix|compute)_.*\.h$")
+CODE = (".h", ".cpp", ".py", ".sh", ".cmake")
+TEXT = CODE + (".rst", ".md", ".txt", ".json", ".aleisph", ".lmp")
+
+
+def package_files():
+    files = sorted(PACKAGE.glob("*.h")) + sorted(PACKAGE.glob("*.cpp"))
+    if not files:
+        sys.exit(f"no sources in {PACKAGE}")
+    return files
+
+
+def project_files(suffixes):
+    """Files of the project, without what is built, run or hidden."""
+    skip = {"build", "run", "__pycache__", "results"}
+    for folder, folders, names in os.walk(TOP):
+        folders[:] = [f for f in folders if f not in skip and not f.startswith(".")]
+        for name in sorted(names):
+            if name.endswith(suffixes) or name.startswith("in."):
+                yield Path(folder) / name
+
+
+def includes(path):
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match[1] == "<", match[2]
+
+
+def wrong_in_numerics(system, name):
+    if not system:
+        return not name.startswith("aleisph_") or name in OWNER
+    if name.startswith("Eigen/") or name == "math.h":    # math.h: Bessel functions of POSIX
+        return False
+    return "/" in name or name.endswith(".h")
+
+
+def wrong_in_style(path, name):
+    own = name == path.with_suffix(".h").name
+    return bool(STYLE.match(name)) and "aleisph" in name and not own and name not in OWNER
+
+
+def dependencies():
+    for path in package_files():
+        numerics = path.name.startswith("aleisph_") and path.name not in OWNER
+        for number, system, name in includes(path):
+            bad = wrong_in_numerics(system, name) if numerics else wrong_in_style(path, name)
+            if bad:
+                yield path, number, f"must not include {name}"
+
+
+def headers():
+    for path in project_files(CODE):
+        head = path.read_text().splitlines()[:6]
+        if not any(LICENCE in line for line in head):
+            yield path, 1, f"has no line '{LICENCE}' in its head"
+    for path in package_files():
+        guard = "LMP_" + path.stem.upper() + "_H"
+        if path.suffix == ".h" and f"#ifndef {guard}\n" not in path.read_text():
+            yield path, 1, f"has no include guard {guard}"
+
+
+def ascii_only():
+    for path in project_files(TEXT):
+        for number, line in enumerate(path.read_bytes().splitlines(), 1):
+            if any(byte > 126 for byte in line):
+                yield path, number, "is not plain ASCII"
+
+
+def names():
+    lammps = os.environ.get("LAMMPS_SOURCE_DIR")
+    if not lammps:
+        print("LAMMPS_SOURCE_DIR is not set: only the prefix is checked")
+    theirs = {p.name for p in Path(lammps, "src").rglob("*.h")
+              if "USER-ALEISPH" not in p.parts} if lammps else set()
+    for path in package_files():
+        if path.name in theirs:
+            yield path, 1, "has the name of a LAMMPS header"
+        if "aleisph" not in path.name:
+            yield path, 1, "does not carry the package in its name"
+
+
+RULES = {"dependencies": dependencies, "headers": headers, "ascii": ascii_only, "names": names}
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1] not in RULES:
+        sys.exit(__doc__)
+    violations = list(RULES[sys.argv[1]]())
+    for path, number, message in violations:
+        print(f"{path.relative_to(TOP)}:{number}: {message}")
+    sys.exit(1 if violations else 0)
+
+
+if __name__ == "__main__":
+    main()

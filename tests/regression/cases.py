@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-2.0-only
+"""The short form of every example. Resolutions are far below what one would use: a run takes about
+a second, and a few hundred particles make a small stored dump.
+
+Bounds on the result lines. u of every scheme, and p where the walls do not spoil it, are of second
+order in d (dt goes with d^2 or is the same): the bound is 4/3 of the error measured at a finer
+spacing times the square of the ratio. A wrong weight or sign changes errors by factors, not by a
+third. Quoted is `finer error x ratio^2`.
+"""
+
+from example import Case
+
+# Half the length and half the pressure difference: the same flow with half the particles
+PIPE = {"L": 1e-3, "dp": 0.5, "marks": 5, "tol": 1e-12}
+SHORT = {"marks": 5, "tol": 1e-12}
+# The pressure of pipe and channel is linear, so exact but for the solver: tolerances/*.txt
+LINEAR = 2e-10
+
+CASES = {
+    "poiseuille": Case(
+        "poiseuille", {**PIPE, "d": 1.25e-4},
+        {("u", "l2"): 4 / 3 * 3.754e-3 * 1.25**2,    # d = 1e-4
+         ("p", "linf"): LINEAR / 0.5}),
+    "poiseuille-be": Case(
+        "poiseuille", {**PIPE, "d": 1.25e-4, "scheme": "be", "mult": 5},
+        {("u", "l2"): 4 / 3 * 2.763e-2,              # d = 1e-4, same dt, which limits the accuracy
+         ("p", "linf"): LINEAR / 0.5}),
+    "poiseuille-plane": Case(
+        "poiseuille-plane", {**PIPE, "d": 1e-4},
+        {("u", "l2"): 4 / 3 * 4.027e-4 * 4,          # d = 5e-5
+         ("p", "linf"): LINEAR / 0.5}),
+    "poiseuille-plane-cn": Case(
+        "poiseuille-plane", {**PIPE, "d": 1e-4, "scheme": "cn", "mult": 2},
+        {("u", "l2"): 4 / 3 * 7.723e-4 * 4,          # d = 5e-5
+         ("p", "linf"): LINEAR / 0.5}),
+    # The steady profile is quadratic, for which the corrected Laplacian is exact: it must stay. Of
+    # the pressure error of LINEAR, every step leaves dt/rho (2/d) LINEAR in u, which viscosity
+    # damps within 1/(2.47 nu/H^2) = 100 steps: 4e-7 dt = 4e-10 m/s of 0.0625 m/s.
+    "poiseuille-plane-steady": Case(
+        "poiseuille-plane", {**PIPE, "d": 1e-4, "start": "steady", "marks": 50, "every": 50},
+        {("u", "linf"): 1e-8, ("p", "linf"): LINEAR / 0.5}),
+    "couette": Case(
+        "couette", {**SHORT, "d": 1e-4},
+        {("u", "l2"): 4 / 3 * 9.75e-4 * 4}),         # d = 5e-5
+    "couette-lagrangian": Case(
+        "couette", {**SHORT, "d": 1e-4, "frame": "lagrangian"},
+        {("u", "l2"): 4 / 3 * 9.76e-4 * 4}),         # d = 5e-5
+    "taylor-green": Case(
+        "taylor-green", {**SHORT, "N": 16, "vn": 0.02},
+        {("u", "l2"): 4 / 3 * 1.350e-3 * 4,          # N = 32
+         ("p", "l2"): 4 / 3 * 2.176e-2 * 4}),
+    "taylor-green-lagrangian": Case(
+        "taylor-green", {"N": 16, "vn": 0.02, "frame": "lagrangian", "marks": 2, "every": 2,
+                         "tol": 1e-12},
+        {("u", "l2"): 4 / 3 * 4.446e-3 * 4,          # N = 32
+         ("p", "l2"): 4 / 3 * 6.612e-2 * 4}),
+    # The default wall condition is between first and second order in p: first taken
+    "stokes-box": Case(
+        "stokes-box", {**SHORT, "n": 10, "vn": 0.02},
+        {("u", "l2"): 4 / 3 * 1.470e-2 * 4,          # n = 20
+         ("p", "l2"): 4 / 3 * 1.450e-1 * 2}),
+    "stokes-box-curlcurl": Case(
+        "stokes-box", {**SHORT, "n": 10, "vn": 0.02, "vstar": "curlcurl"},
+        {("u", "l2"): 4 / 3 * 1.419e-2 * 4,          # n = 20
+         ("p", "l2"): 4 / 3 * 4.746e-2 * 4}),
+    # A linear pressure is exact: what remains is rounding and the solver (tolerances/*.txt)
+    "closed-tank": Case(
+        "closed-tank", {"n": 10, "jitter": 0.2},
+        {("p", "linf"): 1e-11, ("u", "linf"): 1e-11}),
+    "closed-tank-3d": Case(
+        "closed-tank", {"dim": 3, "n": 6, "jitter": 0.2},
+        {("p", "linf"): 1e-11, ("u", "linf"): 1e-11}),
+}

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-only
+"""The tools of these tests: a check that cannot fail would be worth nothing, so dumps are spoilt in
+every way that matters. And the pictures of the examples: their exact profiles and their drawing.
+"""
+
+import contextlib
+import csv
+import io
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+
+import dump_check
+import profiles
+import render
+from dumps import read_frames
+from example import HERE, TOP
+
+DUMP = """ITEM: TIMESTEP
+10
+ITEM: TIME
+0.5
+ITEM: NUMBER OF ATOMS
+3
+ITEM: BOX BOUNDS pp pp pp
+0 1
+0 1
+0 1
+ITEM: ATOMS id type x vx
+1 1 0.0 2.0
+2 1 0.5 3.0
+3 2 1.0 4.0
+"""
+TABLE = """# column tolerance reason
+id exact the same particles
+type exact types never change
+x 1e-9 a reason
+vx 1e-3 another reason
+"""
+
+
+class DumpCheck(unittest.TestCase):
+    def check(self, dump, table=TABLE):
+        for name, text in (("a.dump", dump), ("b.dump", DUMP), ("table.txt", table)):
+            Path(name).write_text(text)
+        return dump_check.compare("a.dump", "b.dump", "table.txt")
+
+    def test_equal_dumps_agree(self):
+        self.assertTrue(self.check(DUMP)[1])
+
+    def test_order_of_lines_does_not_matter(self):
+        lines = DUMP.splitlines(keepends=True)
+        self.assertTrue(self.check("".join(lines[:-3] + lines[-1:] + lines[-3:-1]))[1])
+
+    def test_difference_within_tolerance(self):
+        self.assertTrue(self.check(DUMP.replace("3.0", "3.0009"))[1])
+
+    def test_worst_atom_is_named(self):
+        report, good = self.check(DUMP.replace("2.0", "2.0005").replace("3.0", "3.0011"))
+        self.assertFalse(good)
+        self.assertRegex(report, r"vx .*0\.0011 of 0\.001 allowed: atom 2 has 3\.0011.*too far")
+
+    def test_spoilt_dumps(self):
+        for what, spoilt in {
+                "a value that is not a number": DUMP.replace("3.0", "nan"),
+                "another type": DUMP.replace("3 2 1.0", "3 1 1.0"),
+                "another atom": DUMP.replace("3 2 1.0", "4 2 1.0"),
+                "an atom less": DUMP.replace("3 2 1.0 4.0\n", "").replace("ATOMS\n3", "ATOMS\n2"),
+                "an atom twice": DUMP.replace("3 2 1.0", "2 2 1.0"),
+                "another step": DUMP.replace("\n10\n", "\n11\n"),
+                "a column less": DUMP.replace(" vx", "").replace(" 2.0", "").replace(
+                    " 3.0", "").replace(" 4.0", "")}.items():
+            with self.subTest(what):
+                self.assertFalse(self.check(spoilt)[1])
+
+    def test_files_that_are_not_whole(self):
+        for text in ("", DUMP[:-20], DUMP.replace("id type", "type"), "nonsense\n"):
+            with self.assertRaises(ValueError):
+                self.check(text)
+
+    def test_tolerances_need_a_number_and_a_reason(self):
+        for table in (TABLE.replace("another reason", ""), TABLE.replace("1e-3", "nan"),
+                      TABLE.replace("1e-3", "-1")):
+            with self.assertRaises(ValueError):
+                self.check(DUMP, table)
+
+    def test_column_without_tolerance(self):
+        self.assertFalse(self.check(DUMP, TABLE.replace("vx", "# vx"))[1])
+
+
+class Profiles(unittest.TestCase):
+    """Against the stored series, written with six digits and for another normalisation."""
+
+    def compare(self, name, function, place, scale):
+        with open(TOP / "tests" / "reference" / name, encoding="ascii") as lines:
+            rows = np.array([row for row in csv.reader(line for line in lines if line[0] != "#")
+                             if row[0] != "tau"], dtype=float)
+        self.assertGreater(len(rows), 20)
+        for tau, s, u in rows:
+            self.assertAlmostEqual(function(place(s), tau * scale), u, delta=1e-6)
+
+    def test_pipe(self):
+        self.compare("hagen_poiseuille_startup.csv",
+                     lambda r, t: profiles.pipe(r, t, 1.0, 4.0, 1.0), lambda s: s, 1.0)
+
+    def test_plane(self):    # there: plates at 0 and 1, tau by their distance; here: at -1 and 1
+        self.compare("plane_poiseuille_startup.csv",
+                     lambda y, t: profiles.plane(y, t, 1.0, 2.0, 1.0), lambda s: 2 * s - 1, 4.0)
+
+    def test_couette(self):
+        self.compare("couette_startup.csv",
+                     lambda y, t: profiles.couette(y, t, 1.0, 1.0, 1.0), lambda s: s, 1.0)
+
+
+class Render(unittest.TestCase):
+    def draw(self, case, *options):
+        picture = Path(f"{case}.png")
+        picture.unlink(missing_ok=True)
+        dump = str(HERE / "reference" / f"{case}.dump.gz")
+        with mock.patch("sys.argv", ["render.py", dump, str(picture), *options]):
+            render.main()
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_pictures(self):
+        self.draw("poiseuille", "--fields", "vx", "--slice", "z=0",
+                  "--profile", "pipe", "5e-4", "0.5", "1e-6")
+        self.draw("stokes-box", "--fields", "speed", "p", "--arrows", "5")
+
+    def test_slice_takes_one_layer(self):
+        frame = read_frames(HERE / "reference" / "poiseuille.dump.gz")[-1]
+        near = render.slice_mask(frame, "x=0")
+        self.assertEqual(set(np.round(frame["x"][near], 9)), {0.0})
+
+    def test_unknown_option_is_refused(self):
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
+            self.draw("poiseuille", "--no-such-option")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-only
+"""Draws a LAMMPS dump of particles as a picture: render.py DUMP PICTURE.png [options]
+
+One panel per field (--fields), every particle a disc as large as its spacing; with --profile a
+further panel of velocity profiles at all times of the dump, next to the exact solution. In three
+dimensions the fields show the particles near a plane (--slice z=0).
+Needs numpy and matplotlib (Debian: python3-matplotlib).
+"""
+
+import argparse
+import io
+
+import matplotlib
+import numpy as np
+from PIL import Image    # matplotlib needs it, too
+from matplotlib.collections import EllipseCollection
+
+from dumps import read_frames
+from profiles import PROFILES
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+
+LABELS = {"speed": "|v|", "d_aleisph_p": "p", "vx": "u", "vy": "v", "vz": "w"}
+
+
+def field(frame, name):
+    if name == "speed":
+        return np.sqrt(frame["vx"]**2 + frame["vy"]**2 + frame["vz"]**2)
+    return frame["d_aleisph_p" if name == "p" else name]
+
+
+def slice_mask(frame, word):
+    """Particles near the plane 'axis=value': half the mean distance of particles on either side."""
+    if word is None:
+        return np.ones(len(frame), dtype=bool)
+    axis, value = word.split("=")
+    extent = [np.ptp(frame[a]) for a in "xyz"]
+    thickness = (np.prod(extent) / len(frame))**(1 / 3)
+    return np.abs(frame[axis] - float(value)) < 0.5 * thickness
+
+
+def spacing(x, y, sample=200):
+    """Median distance to the nearest neighbor, of some of the particles."""
+    chosen = np.linspace(0, len(x) - 1, min(sample, len(x))).astype(int)
+    distance = np.hypot(x[chosen, None] - x, y[chosen, None] - y)
+    distance[np.arange(len(chosen)), chosen] = np.inf
+    return np.median(distance.min(axis=1))
+
+
+def discs(axes, x, y, size, values, limits):
+    """Particles as discs of diameter size; grey without values."""
+    size = np.full(len(x), size)
+    colors = {"facecolor": "0.75"} if values is None else {"array": values, "cmap": "viridis"}
+    shapes = EllipseCollection(size, size, np.zeros(len(x)), units="x",
+                               offsets=np.column_stack([x, y]), offset_transform=axes.transData,
+                               linewidths=0, **colors)
+    if values is not None:
+        shapes.set_clim(*limits)
+    axes.add_collection(shapes)
+    return shapes
+
+
+def arrow_places(x, y, mask, count):
+    """One particle in each cell of a grid with count cells along x: the first one found."""
+    cell = np.ptp(x[mask]) / count
+    inside = np.flatnonzero(mask)
+    column, row = ((a[inside] - a[mask].min()) // cell for a in (x, y))
+    return inside[np.unique(np.column_stack([column, row]), axis=0, return_index=True)[1]]
+
+
+def draw_field(figure, axes, frame, name, options):
+    near = slice_mask(frame, options.slice)
+    first, second = options.axes
+    wall = near & np.isin(frame["type"], options.walls)
+    fluid = near & ~wall
+    x, y, values = frame[first], frame[second], field(frame, name)
+    size = spacing(x[near], y[near])
+    discs(axes, x[wall], y[wall], size, None, None)
+    limits = (values[fluid].min(), values[fluid].max())
+    shapes = discs(axes, x[fluid], y[fluid], size, values[fluid], limits)
+    if options.arrows:
+        sample = arrow_places(x, y, fluid, options.arrows)
+        axes.quiver(x[sample], y[sample], frame["v" + first][sample], frame["v" + second][sample],
+                    color="white", pivot="middle", width=0.004)
+    axes.set_xlim(x[near].min() - size, x[near].max() + size)
+    axes.set_ylim(y[near].min() - size, y[near].max() + size)
+    axes.set_aspect("equal")
+    axes.set_xlabel(first)
+    axes.set_ylabel(second)
+    axes.ticklabel_format(scilimits=(-2, 3))
+    unit = f" [{options.units}]" if options.units else ""
+    time = "" if frame.time is None else f"t = {frame.time:.4g}"
+    axes.set_title(f"{LABELS.get(name, name)}{unit}   {time}")
+    wide = np.ptp(x[near]) > 1.5 * np.ptp(y[near])
+    figure.colorbar(shapes, ax=axes, orientation="horizontal" if wide else "vertical")
+
+
+def coordinate(kind, frame):
+    """Where a particle lies in a profile: radius in a pipe, else y."""
+    return np.hypot(frame["y"], frame["z"]) if kind == "pipe" else frame["y"]
+
+
+def draw_profile(axes, frames, kind, parameters):
+    """u over the coordinate: dots are particles, lines the exact solution."""
+    steps = [frame for frame in frames if frame.time]
+    chosen = steps if len(steps) <= 6 else [steps[k] for k in profile_choice(len(steps))]
+    for number, frame in enumerate(chosen):
+        color = plt.get_cmap("viridis")(0.85 * number / max(1, len(chosen) - 1))
+        s = coordinate(kind, frame)
+        grid = np.linspace(s.min(), s.max(), 200)
+        axes.plot(grid, PROFILES[kind](grid, frame.time, *parameters), color=color,
+                  label=f"t = {frame.time:.3g}")
+        inside = np.isin(frame["type"], [1])
+        axes.plot(s[inside], frame["vx"][inside], "o", color=color, markersize=3)
+    axes.set_xlabel("r" if kind == "pipe" else "y")
+    axes.set_title("u: particles (dots) and exact (lines)")
+    axes.ticklabel_format(scilimits=(-2, 3))
+    axes.grid(alpha=0.3)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def profile_choice(count):
+    """About six of many frames, close together at first, where the flow changes fast."""
+    return sorted({round(k) for k in np.geomspace(1, count, 6) - 1})
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("dump")
+    parser.add_argument("picture")
+    parser.add_argument("--fields", nargs="*", default=["speed"],
+                        help="speed, p, or a column of the dump")
+    parser.add_argument("--frame", type=int, default=-1, help="which snapshot; default: the last")
+    parser.add_argument("--axes", default="xy", help="horizontal and vertical axis")
+    parser.add_argument("--slice", help="plane of a 3d dump, such as z=0")
+    parser.add_argument("--walls", nargs="*", type=int, default=[2], help="types drawn in grey")
+    parser.add_argument("--arrows", type=int, default=0, help="so many arrows along the picture")
+    parser.add_argument("--units", default="", help="unit of the field, for the title")
+    parser.add_argument("--profile", nargs=4, metavar=("KIND", "A", "B", "C"),
+                        help="pipe R G nu, plane H G nu, or couette H U nu")
+    return parser.parse_args()
+
+
+def save(figure, path):
+    """A PNG with a palette: a third of the size of one with full colors."""
+    with io.BytesIO() as buffer:
+        figure.savefig(buffer, dpi=110)
+        Image.open(buffer).convert("RGB").quantize(256, kmeans=2).save(path, "PNG", optimize=True)
+
+
+def main():
+    options = parse()
+    frames = read_frames(options.dump)
+    panels = len(options.fields) + (options.profile is not None)
+    figure, axes = plt.subplots(1, panels, figsize=(5.5 * panels, 4.2), squeeze=False,
+                                constrained_layout=True)
+    for place, name in zip(axes[0], options.fields):
+        draw_field(figure, place, frames[options.frame], name, options)
+    if options.profile:
+        kind, *parameters = options.profile
+        draw_profile(axes[0][-1], frames, kind, [float(word) for word in parameters])
+    save(figure, options.picture)
+
+
+if __name__ == "__main__":
+    main()
