@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-2.0-only
+"""Runs an example to its end and reads its result lines."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from result_table import read_results
+
+TOP = Path(os.environ["ALEISPH_SOURCE_DIR"])
+
+
+def results(example, quantity="u", **variables):
+    """{time: row of numbers} of one quantity; seconds is removed, it is no result."""
+    name = "-".join([example] + [f"{k}{v}" for k, v in variables.items()]).replace(" ", "_")
+    folder = Path(name)
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(TOP / "examples" / example, folder,
+                    ignore=shutil.ignore_patterns("log.*", "*.png", "README*"))
+    words = [os.environ["ALEISPH_LMP"], "-in", f"in.{example}", "-log", "log.lammps", "-nocite"]
+    for key, value in variables.items():
+        words += ["-var", key] + str(value).split()
+    done = subprocess.run(words, cwd=folder, text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode:
+        raise RuntimeError(f"{' '.join(words)}: {done.stdout[-2000:]}")
+    rows = [row for row in read_results(folder / "log.lammps") if row["quantity"] == quantity]
+    table = {}
+    for row in rows:
+        print(" ".join(f"{key}={value}" for key, value in row.items() if key != "seconds"))
+        table[round(float(row["time"]), 9)] = {
+            key: float(row[key]) for key in ("l2", "linf", "dt", "d") if key in row}
+    return table
