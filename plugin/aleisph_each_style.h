@@ -19,18 +19,16 @@ template <class OnFix, class OnCompute> void each_style(OnFix on_fix, OnCompute 
   using namespace LAMMPS_NS;
 
 #define FIX_CLASS
-#define FixStyle(key, Class)                                          \
-  on_fix(#key, [](LAMMPS *lmp, int narg, char **arg) -> Fix * {       \
-    return new Class(lmp, narg, arg);                                 \
-  })
+#define FixStyle(key, Class) \
+  on_fix(#key, [](LAMMPS *lmp, int narg, char **arg) -> Fix * { return new Class(lmp, narg, arg); })
 #include "aleisph_style_headers.h"
 #undef FixStyle
 #undef FIX_CLASS
 
 #define COMPUTE_CLASS
-#define ComputeStyle(key, Class)                                      \
+#define ComputeStyle(key, Class)                                        \
   on_compute(#key, [](LAMMPS *lmp, int narg, char **arg) -> Compute * { \
-    return new Class(lmp, narg, arg);                                 \
+    return new Class(lmp, narg, arg);                                   \
   })
 #include "aleisph_style_headers.h"
 #undef ComputeStyle

@@ -78,7 +78,7 @@ class LaplacianWeights {
   void build(const Stencil &s, const GradientWeights &g, const Rows &rows, double volume,
              const Kernel &kernel, double d, const LaplacianLimits &limits);
 
-  const double *a() const { return a_.data(); }    // pair array [1/length^2]
+  const double *a() const { return a_.data(); }            // pair array [1/length^2]
   double diagonal(int i) const { return diagonal_[i]; }    // sum_j a_ij, < 0 for a good row
   // of the B system; 0 if never built. Where the cheap Frobenius bound |G||G^-1| (up to 6
   // times the 2-norm value) is within max_cond, that bound; else the 2-norm value.

@@ -36,8 +36,8 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
 // vstar: v* on fluid and wall; vwall: wall velocity v_wall on wall rows (3 doubles
 // per particle); div: (div v*) on fluid rows; p: prescribed on dirichlet rows.
 void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
-             const double *vwall, const double *div, const double *p, double d,
-             double rho_over_dt, double *b);
+             const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
+             double *b);
 
 }    // namespace aleisph
 #endif

@@ -43,10 +43,10 @@ class Stencil {
 
   const int *ptr() const { return ptr_.data(); }
   const int *col() const { return col_.data(); }
-  const double *r() const { return r_.data(); }              // |r_ij|
-  const double *e(int a) const { return e_[a].data(); }      // component a of e_ij, a < dim()
-  const double *dw() const { return dw_.data(); }            // dW/dr
-  double bytes() const;                                      // memory held
+  const double *r() const { return r_.data(); }            // |r_ij|
+  const double *e(int a) const { return e_[a].data(); }    // component a of e_ij, a < dim()
+  const double *dw() const { return dw_.data(); }          // dW/dr
+  double bytes() const;                                    // memory held
 
  private:
   int dim_ = 0, coincident_ = 0;

@@ -17,8 +17,9 @@ constexpr int NUM_PARTS = 8;
 
 inline const char *to_string(Part part)
 {
-  static const char *const names[NUM_PARTS] = {"outside",        "stencil", "operators", "momentum",
-                                               "assembly", "preconditioner", "solve", "communication"};
+  static const char *const names[NUM_PARTS] = {"outside",  "stencil",      "operators",
+                                               "momentum", "assembly",     "preconditioner",
+                                               "solve",    "communication"};
   return names[static_cast<int>(part)];
 }
 

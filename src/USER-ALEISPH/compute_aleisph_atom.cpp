@@ -60,7 +60,8 @@ void ComputeAleisphAtom::compute_peratom()
   invoked_peratom = update->ntimestep;
   owner_ = FixAleisph::find(lmp, "Compute aleisph/atom");
   if (!owner_->ready())
-    error->all(FLERR, "Compute aleisph/atom: no stencil for the present particles; use run 0 first");
+    error->all(FLERR,
+               "Compute aleisph/atom: no stencil for the present particles; use run 0 first");
   const int ncols = static_cast<int>(fields_.size());
   if (atom->nmax > nmax_) {
     nmax_ = atom->nmax;

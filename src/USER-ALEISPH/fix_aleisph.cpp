@@ -159,10 +159,10 @@ int FixAleisph::setmask()
 
 void FixAleisph::post_constructor()
 {
-  modify->add_fix(fmt::format("{} all property/atom d_{} ghost yes writedata no", PRESSURE_FIX,
-                              PRESSURE));
-  modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", WALL_VELOCITY_FIX,
-                              WALL_VELOCITY));
+  modify->add_fix(
+      fmt::format("{} all property/atom d_{} ghost yes writedata no", PRESSURE_FIX, PRESSURE));
+  modify->add_fix(
+      fmt::format("{} all property/atom d2_{} 3 writedata no", WALL_VELOCITY_FIX, WALL_VELOCITY));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -170,8 +170,7 @@ void FixAleisph::post_constructor()
 FixAleisph *FixAleisph::find(LAMMPS *lmp, const std::string &caller)
 {
   const auto owners = lmp->modify->get_fix_by_style("^aleisph$");
-  if (owners.empty())
-    lmp->error->all(FLERR, "{} needs a fix aleisph, defined before it", caller);
+  if (owners.empty()) lmp->error->all(FLERR, "{} needs a fix aleisph, defined before it", caller);
   if (owners.size() > 1)
     lmp->error->all(FLERR, "{}: there are {} fixes of style aleisph, there must be one", caller,
                     owners.size());
@@ -259,10 +258,10 @@ void FixAleisph::check_integrator() const
   if (!(update->dt > 0.0) || !std::isfinite(update->dt))
     error->all(FLERR, "Fix aleisph: timestep must be positive, it is {}", update->dt);
   if (neighbor->nex_type + neighbor->nex_group + neighbor->nex_mol > 0)
-    error->all(FLERR, "Fix aleisph cannot be used with neigh_modify exclude: particles would miss "
-                      "neighbors; remove the exclusion");
-  if (comm->mode != Comm::SINGLE)
-    error->all(FLERR, "Fix aleisph needs comm_modify mode single");
+    error->all(FLERR,
+               "Fix aleisph cannot be used with neigh_modify exclude: particles would miss "
+               "neighbors; remove the exclusion");
+  if (comm->mode != Comm::SINGLE) error->all(FLERR, "Fix aleisph needs comm_modify mode single");
   if (!atom->tag_enable) error->all(FLERR, "Fix aleisph needs atom IDs");
 }
 
@@ -352,12 +351,23 @@ void FixAleisph::rebuild()
   version_++;
 }
 
-// The first atom, on any rank, for which something is wrong is named by its ID
-static tagint largest(MPI_Comm world, tagint tag)
+tagint FixAleisph::largest(tagint tag) const
 {
   tagint all;
   MPI_Allreduce(&tag, &all, 1, MPI_LMP_TAGINT, MPI_MAX, world);
   return all;
+}
+
+void FixAleisph::require_finite(const double *v, const std::string &caller,
+                                const std::string &what) const
+{
+  tagint bad = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int a = 0; a < domain->dimension; a++)
+      if (!std::isfinite(v[3 * i + a])) bad = atom->tag[i];
+  if ((bad = largest(bad)))
+    error->all(FLERR, "{}: {} of atom {} is not finite at step {}", caller, what, bad,
+               update->ntimestep);
 }
 
 void FixAleisph::assign_roles()
@@ -376,14 +386,14 @@ void FixAleisph::assign_roles()
     if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) both = atom->tag[i];
     if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) open = atom->tag[i];
   }
-  if ((none = largest(world, none)))
+  if ((none = largest(none)))
     error->all(FLERR,
                "Fix aleisph: atom {} is neither fluid (group of fix aleisph/predictor) nor wall "
                "(group of fix aleisph/wall), or not in group {}",
                none, group->names[igroup]);
-  if ((both = largest(world, both)))
+  if ((both = largest(both)))
     error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", both);
-  if ((open = largest(world, open)))
+  if ((open = largest(open)))
     error->all(FLERR, "Fix aleisph: buffer atom {} is not in the group of its fix aleisph/pressure",
                open);
 }
@@ -400,14 +410,14 @@ void FixAleisph::check_atoms()
     const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
     if (std::fabs(mass - m) > MASS_TOLERANCE * m) heavy = atom->tag[i];
   }
-  if ((nan = largest(world, nan)))
+  if ((nan = largest(nan)))
     error->all(FLERR, "Fix aleisph: position or velocity of atom {} is not finite", nan);
-  if ((plane = largest(world, plane)))
+  if ((plane = largest(plane)))
     error->all(FLERR,
                "Fix aleisph: atom {} has a velocity in z in a 2d simulation; use velocity set or "
                "fix enforce2d",
                plane);
-  if ((heavy = largest(world, heavy)))
+  if ((heavy = largest(heavy)))
     error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}", heavy,
                domain->dimension, m);
 }
@@ -491,7 +501,8 @@ double FixAleisph::compute_vector(int n)
       MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
       return all;
     }
-    default: return static_cast<double>(sum(disc.stencil().pairs())) / std::max(1L, sum(atom->nlocal));
+    default:
+      return static_cast<double>(sum(disc.stencil().pairs())) / std::max(1L, sum(atom->nlocal));
   }
 }
 
@@ -524,8 +535,8 @@ void FixAleisph::report_timing()
                       counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
-  const long morris =
-      counts.laplacian ? sum(discretization_->laplacian().morris_count().total()) : 0;
+  const long morris = counts.laplacian ? sum(discretization_->laplacian().morris_count().total())
+                                       : 0;
   const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
   if (morris || singular || pivots)
     text += fmt::format("ALEISPH guards in the last step: {} rows of Morris, {} singular rows, {} "
@@ -536,5 +547,6 @@ void FixAleisph::report_timing()
 
 double FixAleisph::memory_usage()
 {
-  return discretization_->bytes() + sizeof(double) * (normal_.size() + vstar_.size() + x_built_.size());
+  return discretization_->bytes() +
+      sizeof(double) * (normal_.size() + vstar_.size() + x_built_.size());
 }

@@ -83,13 +83,13 @@ class FixAleisph : public Fix {
 
   // -- valid from pre_force on, until particles move or migrate
   aleisph::Discretization &discretization() { return *discretization_; }
-  bigint version() const { return version_; }             // changes with the positions
+  bigint version() const { return version_; }    // changes with the positions
   bool ready() const;    // there is a stencil, and it is that of the present particles
   const aleisph::Role *role() const { return role_.data(); }    // owned and ghost
-  double *normal() { return normal_.data(); }             // 3 per particle, owned and ghost
-  double *vstar() { return vstar_.data(); }               // 3 per particle, owned and ghost
-  double *pressure();                                     // d_aleisph_p, owned and ghost
-  double *velocity();                                     // atom->v as one array
+  double *normal() { return normal_.data(); }                   // 3 per particle, owned and ghost
+  double *vstar() { return vstar_.data(); }                     // 3 per particle, owned and ghost
+  double *pressure();                                           // d_aleisph_p, owned and ghost
+  double *velocity();                                           // atom->v as one array
   double *previous_wall_velocity();    // d2_aleisph_vw: v of owned walls at the last step's end
   // what the last PPE made of each owned particle; empty before the first assembly
   std::vector<aleisph::RowType> &row_types() { return row_types_; }
@@ -105,6 +105,11 @@ class FixAleisph : public Fix {
   // impose the velocity conditions on v, then make its ghosts valid
   void complete_velocity(double *v);
   const std::vector<AleisphVelocityCondition *> &velocity_conditions() const { return conditions_; }
+
+  // -- for errors that name an atom: the largest of all ranks' IDs, 0 if nobody has one
+  tagint largest(tagint tag) const;
+  // an error in the caller's name if v (3 per particle) is not finite on an owned particle
+  void require_finite(const double *v, const std::string &caller, const std::string &what) const;
 
   const aleisph::InnerProduct &inner_product() const { return *inner_product_; }
   aleisph::Timers &timers() { return timers_; }

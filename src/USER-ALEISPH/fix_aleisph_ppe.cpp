@@ -199,7 +199,8 @@ void FixAleisphPPE::right_hand_side()
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
 {
   if (report.ok()) return;
-  if (report.status == SolveStatus::NOT_FINITE) name_bad_atom("predicted velocity");
+  if (report.status == SolveStatus::NOT_FINITE)
+    owner_->require_finite(owner_->vstar(), "Fix aleisph/ppe", "predicted velocity");
   failures_++;
   const std::string text = fmt::format(
       "Fix aleisph/ppe: pressure not converged at step {} ({}): {} iterations, residual {:.4g} of "
@@ -209,19 +210,6 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
   if (params_.error_on_failure || report.status == SolveStatus::NOT_FINITE)
     error->all(FLERR, "{}; reduce the time step, or raise tol or maxiter", text);
   if (comm->me == 0) error->warning(FLERR, text);
-}
-
-void FixAleisphPPE::name_bad_atom(const char *where) const
-{
-  const double *vstar = owner_->vstar();
-  tagint bad = 0, worst;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int a = 0; a < 3; a++)
-      if (!std::isfinite(vstar[3 * i + a])) bad = atom->tag[i];
-  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  if (worst)
-    error->all(FLERR, "Fix aleisph/ppe: {} of atom {} is not finite at step {}", where, worst,
-               update->ntimestep);
 }
 
 void FixAleisphPPE::correct_velocity()

@@ -52,7 +52,6 @@ class FixAleisphPPE : public Fix {
   void solve();
   double rounding_level() const;
   void act_on(const aleisph::SolveReport &report);
-  void name_bad_atom(const char *where) const;
   void correct_velocity();
   double residual_bound() const;
   double max_divergence();

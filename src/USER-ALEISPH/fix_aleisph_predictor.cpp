@@ -79,7 +79,8 @@ void FixAleisphPredictor::parse(int narg, char **arg)
       else if (value == "ale")
         params_.frame = Frame::ALE;
       else
-        error->all(FLERR, "Fix aleisph/predictor: frame must be lagrangian, eulerian or ale, not {}",
+        error->all(FLERR,
+                   "Fix aleisph/predictor: frame must be lagrangian, eulerian or ale, not {}",
                    value);
     } else if (key == "nu" || key == "mu") {
       const double viscosity = utils::numeric(FLERR, value, false, lmp);
@@ -95,7 +96,8 @@ void FixAleisphPredictor::parse(int narg, char **arg)
       else if (value == "cn")
         params_.theta = 0.5;
       else
-        error->all(FLERR, "Fix aleisph/predictor: scheme must be explicit, be or cn, not {}", value);
+        error->all(FLERR, "Fix aleisph/predictor: scheme must be explicit, be or cn, not {}",
+                   value);
     } else if (key == "integrator") {
       if (value != "euler" && value != "ab2")
         error->all(FLERR, "Fix aleisph/predictor: integrator must be euler or ab2, not {}", value);
@@ -262,24 +264,12 @@ void FixAleisphPredictor::evaluate_transport()
       else if (ivar >= 0 && input->variable->atomstyle(ivar))
         input->variable->compute_atom(ivar, igroup, values.data(), 1, 0);
       else
-        error->all(FLERR, "Fix aleisph/predictor: {} is not an equal- or atom-style variable", word);
+        error->all(FLERR, "Fix aleisph/predictor: {} is not an equal- or atom-style variable",
+                   word);
     }
     for (int i = 0; i < atom->nlocal; i++) w[3 * i + a] = values[i];
   }
-  name_bad_atom(w, "transport velocity");
-}
-
-// an error if a value is not finite; v: 3 per particle
-void FixAleisphPredictor::name_bad_atom(const double *v, const char *what) const
-{
-  tagint bad = 0, worst;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int a = 0; a < domain->dimension; a++)
-      if (!std::isfinite(v[3 * i + a])) bad = atom->tag[i];
-  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  if (worst)
-    error->all(FLERR, "Fix aleisph/predictor: {} of atom {} is not finite at step {}", what, worst,
-               update->ntimestep);
+  owner_->require_finite(w, "Fix aleisph/predictor", "transport velocity");
 }
 
 void FixAleisphPredictor::final_integrate()
@@ -440,8 +430,7 @@ void FixAleisphPredictor::predict_implicit()
   if (viscous_version_ != owner_->version() || viscous_dt_ != dt) assemble_viscous();
   solve_viscous(rhs);
   for (const int i : disc.fluid())
-    for (int k = 3 * i; k < 3 * i + 3; k++)
-      vstar[k] = rhs[k] + dt / owner_->rho0() * grad_p_[k];
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = rhs[k] + dt / owner_->rho0() * grad_p_[k];
 }
 
 // rows: fluid 1 - theta dt nu lap; wall and other particles v; buffer v - v_source
@@ -492,10 +481,11 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
       b[i] = rhs[3 * i + a];
       u[i] = v[3 * i + a];
     }
-    const auto report =
-        krylov_.solve(op, *precond_, owner_->inner_product(), b.data(), u.data(), krylov);
+    const auto report = krylov_.solve(op, *precond_, owner_->inner_product(), b.data(), u.data(),
+                                      krylov);
     viscous_iterations_ += report.iterations;
-    if (report.status == aleisph::SolveStatus::NOT_FINITE) name_bad_atom(rhs.data(), "acceleration");
+    if (report.status == aleisph::SolveStatus::NOT_FINITE)
+      owner_->require_finite(rhs.data(), "Fix aleisph/predictor", "acceleration");
     if (!report.ok())
       error->all(FLERR,
                  "Fix aleisph/predictor: viscous velocity not converged at step {} ({}): {} "

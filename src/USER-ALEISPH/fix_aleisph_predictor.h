@@ -53,11 +53,11 @@ class FixAleisphPredictor : public Fix {
   enum class Frame { LAGRANGIAN, EULERIAN, ALE };
   struct Params {
     Frame frame = Frame::LAGRANGIAN;
-    double nu = -1.0;         // viscosity; < 0: that of the fluid property file
-    bool dynamic = false;     // nu is the dynamic viscosity mu
-    double theta = 0.0;       // share of the new time level in nu lap v; 0 explicit
-    bool ab2 = false;         // explicit terms by Adams-Bashforth 2 instead of forward Euler
-    double tolerance = 1.0e-12;   // of the implicit solve, relative to |v|
+    double nu = -1.0;              // viscosity; < 0: that of the fluid property file
+    bool dynamic = false;          // nu is the dynamic viscosity mu
+    double theta = 0.0;            // share of the new time level in nu lap v; 0 explicit
+    bool ab2 = false;              // explicit terms by Adams-Bashforth 2 instead of forward Euler
+    double tolerance = 1.0e-12;    // of the implicit solve, relative to |v|
     std::array<std::string, 3> transport;    // equal- or atom-style variables, or numbers
   };
 
@@ -78,15 +78,14 @@ class FixAleisphPredictor : public Fix {
   void assemble_viscous();
   void solve_viscous(std::vector<double> &rhs);
   void evaluate_transport();
-  void name_bad_atom(const double *v, const char *what) const;
   double largest_norm(const double *v) const;
   double viscous_number() const;
   double time_step_limit() const;
 
   Params params_;
   class FixAleisph *owner_;
-  double nu_;               // in force
-  double previous_dt_;      // of the stored acceleration, 0 if there is none
+  double nu_;             // in force
+  double previous_dt_;    // of the stored acceleration, 0 if there is none
 
   std::vector<double> a_, work_, grad_p_, relative_;    // 3 per owned particle
   aleisph::CsrMatrix viscous_;

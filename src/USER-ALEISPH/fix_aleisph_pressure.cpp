@@ -29,8 +29,8 @@ constexpr int MAX_DEPTH = 100;
 }    // namespace
 
 FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), value_(0.0), buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0}, owner_(nullptr),
-    version_(-1), depth_(0)
+    Fix(lmp, narg, arg), value_(0.0), buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0},
+    owner_(nullptr), version_(-1), depth_(0)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/pressure", error);
   if (utils::strmatch(arg[3], "^v_"))
@@ -111,15 +111,14 @@ void FixAleisphPressure::set_pressure()
   }
 
   double *pressure = owner_->pressure();
-  tagint bad = 0, worst;
+  tagint bad = 0;
   for (int i = 0; i < n; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (!std::isfinite(p[i])) bad = atom->tag[i];
     pressure[i] = p[i];
   }
-  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  if (worst)
-    error->all(FLERR, "Fix aleisph/pressure: pressure of atom {} is not finite at step {}", worst,
+  if ((bad = owner_->largest(bad)))
+    error->all(FLERR, "Fix aleisph/pressure: pressure of atom {} is not finite at step {}", bad,
                update->ntimestep);
 }
 
@@ -131,7 +130,7 @@ void FixAleisphPressure::find_sources()
   buffer_.clear();
   source_.clear();
   slot_.assign(atom->nlocal, -1);
-  tagint bad = 0, worst;
+  tagint bad = 0;
   for (const int i : disc.buffer()) {
     if (!(atom->mask[i] & buffer_bit_)) continue;
     const int j = nearest_source(i);
@@ -140,12 +139,11 @@ void FixAleisphPressure::find_sources()
     buffer_.push_back(i);
     source_.push_back(j);
   }
-  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  if (worst)
+  if ((bad = owner_->largest(bad)))
     error->all(FLERR,
                "Fix aleisph/pressure: buffer atom {} has no fluid particle one spacing away in the "
                "buffer direction; align the layers or turn the direction towards the fluid",
-               worst);
+               bad);
   find_depth();
   version_ = owner_->version();
 }

@@ -44,14 +44,14 @@ class FixAleisphPressure : public Fix, public AleisphVelocityCondition {
   void find_depth();
 
   double value_;
-  std::string variable_;    // equal or atom style, empty if constant
+  std::string variable_;             // equal or atom style, empty if constant
   int buffer_group_, buffer_bit_;    // index and bit of the buffer's group; -1, 0 if there is none
-  double towards_[3];       // unit vector from the buffer to the fluid
+  double towards_[3];                // unit vector from the buffer to the fluid
   FixAleisph *owner_;
-  bigint version_;          // of the positions that the sources belong to
+  bigint version_;                      // of the positions that the sources belong to
   std::vector<int> buffer_, source_;    // owned buffer particles and what they copy
   std::vector<int> slot_;               // per owned particle: index into buffer_, or -1
-  int depth_;               // layers of the buffer, the largest over all ranks
+  int depth_;                           // layers of the buffer, the largest over all ranks
 };
 
 }    // namespace LAMMPS_NS

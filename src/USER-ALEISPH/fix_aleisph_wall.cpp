@@ -179,7 +179,7 @@ void FixAleisphWall::copy_given_normals()
   int flag, cols;
   double **given = atom->darray[atom->find_custom(given_.c_str(), flag, cols)];
   double *normal = owner_->normal();
-  tagint bad = 0, worst;
+  tagint bad = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     double square = 0.0;
@@ -189,9 +189,8 @@ void FixAleisphWall::copy_given_normals()
     }
     if (!(std::fabs(square - 1.0) < UNIT_TOLERANCE)) bad = atom->tag[i];
   }
-  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  if (worst)
-    error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", worst);
+  if ((bad = owner_->largest(bad)))
+    error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", bad);
 }
 
 void FixAleisphWall::compute_normals()
@@ -204,18 +203,17 @@ void FixAleisphWall::compute_normals()
   const auto &disc = owner_->discretization();
   aleisph::wall_normals(disc.stencil(), rows, owner_->role(), disc.spacing(),
                         aleisph::NormalParams(), owner_->normal(), status);
-  tagint bad = 0, worst;
+  tagint bad = 0;
   from_fluid_ = 0;
   for (const int i : rows) {
     if (status[i] == aleisph::NormalStatus::FLUID) from_fluid_++;
     if (status[i] == aleisph::NormalStatus::UNKNOWN) bad = atom->tag[i];
   }
-  MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  if (worst)
+  if ((bad = owner_->largest(bad)))
     error->all(FLERR,
                "Fix aleisph/wall: atom {} has no fluid particle within the support, so its normal "
                "is unknown; remove it or use normals given",
-               worst);
+               bad);
 }
 
 // wall particles whose normal is the direction to the fluid, for want of wall neighbors

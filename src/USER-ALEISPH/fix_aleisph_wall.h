@@ -48,10 +48,10 @@ class FixAleisphWall : public Fix {
 
   bool slip_, curlcurl_, prescribed_;
   std::array<Component, 3> velocity_;
-  std::string given_;            // name of the custom property, empty: automatic
+  std::string given_;    // name of the custom property, empty: automatic
   class FixAleisph *owner_;
-  bigint version_;               // of the positions that the normals belong to
-  int from_fluid_;               // normals of this rank that fell back on the fluid direction
+  bigint version_;    // of the positions that the normals belong to
+  int from_fluid_;    // normals of this rank that fell back on the fluid direction
 };
 
 }    // namespace LAMMPS_NS

@@ -134,7 +134,7 @@ download_release() {
 
 # Why the download from Debian failed, in one line, for the message of the next attempt
 debian_failure() {
-  if grep -q NO_PUBKEY "$1"; then
+  if grep -Eq 'NO_PUBKEY|Missing key' "$1"; then
     echo "the Debian keyring of this machine is older than the suite's key
     (apt-get install --only-upgrade debian-archive-keyring brings the new one)"
   else
