@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-only
+"""Log-log figure: error against run time, one panel per case and time, one line per series."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+# Colours that stay apart for the colour-blind (Okabe and Ito)
+STYLE = {
+    "aleisph example": ("#999999", "o"), "aleisph ab2": ("#0072B2", "o"),
+    "aleisph tuned": ("#000000", "D"), "aleisph lagrangian": ("#56B4E9", "v"),
+    "aleisph lagrangian tuned": ("#CC79A7", "v"), "rheo example": ("#D55E00", "s"),
+    "rheo tuned": ("#E69F00", "s"), "sph example": ("#009E73", "^"), "sph tuned": ("#A6D854", "^"),
+}
+
+
+def series_of(rows):
+    """{(label, step, tol): rows sorted by resolution}; one line of the plot each."""
+    series = {}
+    for row in rows:
+        key = (f"{row['code']} {row['variant']}", row.get("step", 1), row.get("tol", 0))
+        series.setdefault(key, []).append(row)
+    return {key: sorted(group, key=lambda r: r["n"]) for key, group in series.items()}
+
+
+def panel(axes, title, rows):
+    series = series_of(rows)
+    named = set()
+    for (label, step, tol), group in series.items():
+        mine = [key for key in series if key[0] == label]
+        largest_step = step == max(key[1] for key in mine)
+        loosest = tol == max(key[2] for key in mine)
+        colour, marker = STYLE[label]
+        axes.plot([r["seconds"] for r in group], [r["l2"] for r in group], marker=marker,
+                  color=colour, markersize=6, linewidth=1, linestyle="-" if loosest else "--",
+                  markerfacecolor=colour if largest_step else "white")
+        for row in group if largest_step else ():
+            if (label, row["n"]) in named:
+                continue
+            named.add((label, row["n"]))
+            axes.annotate(f"{row['n']:g}", (row["seconds"], row["l2"]), xytext=(4, 4),
+                          textcoords="offset points", fontsize=7, color=colour)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_title(title, fontsize=10)
+    axes.set_xlabel("run time on one core [s]", fontsize=9)
+    axes.grid(True, which="major", color="0.85", linewidth=0.6)
+    axes.tick_params(which="both", labelsize=8)
+    axes.margins(0.12)
+
+
+def legend_entries(panels):
+    seen = dict.fromkeys(label for _, rows in panels for label, _, _ in series_of(rows))
+    handles = [plt.Line2D([], [], color=STYLE[s][0], marker=STYLE[s][1], label=s) for s in seen]
+    return handles + [
+        plt.Line2D([], [], color="0.3", marker="o", markerfacecolor="white", linestyle="",
+                   label="open: half the time step"),
+        plt.Line2D([], [], color="0.3", linestyle="--", label="dashed: tighter tolerance"),
+        plt.Line2D([], [], linestyle="", label="numbers: n")]
+
+
+def figure(panels, path, caption):
+    """panels: [(title, rows)]"""
+    columns = min(3, len(panels))
+    lines = -(-len(panels) // columns)
+    height = 3.6 * lines + 0.7
+    fig, grid = plt.subplots(lines, columns, figsize=(4.2 * columns, height), squeeze=False)
+    for axes, (title, rows) in zip(grid.flat, panels):
+        panel(axes, title, rows)
+    for axes in list(grid.flat)[len(panels):]:
+        axes.set_visible(False)
+    for line in grid:
+        line[0].set_ylabel("relative L2 error of the velocity", fontsize=9)
+    fig.legend(handles=legend_entries(panels), loc="lower center", ncol=5, fontsize=8,
+               frameon=False, bbox_to_anchor=(0.5, 0.2 / height))
+    fig.text(0.5, 0.1 / height, caption, ha="center", fontsize=7, color="0.35")
+    fig.tight_layout(rect=(0, 0.75 / height, 1, 1))
+    fig.savefig(path, dpi=100)
+    plt.close(fig)

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-only
+"""The parser of the timing that the styles print."""
+
+import unittest
+
+import timing
+
+LOG = """
+ALEISPH time: 9 s, 9 us per particle-step and rank
+  stencil                 9 s  100.0 %
+ALEISPH builds: stencil 1, gradient 1
+Loop time of 9 on 1 procs for 9 steps with 50 atoms
+
+ALEISPH time: 0.5 s, 100 us per particle-step and rank
+  stencil            0.1250 s   25.0 %
+  solve               0.375 s   75.0 %
+ALEISPH builds: stencil 1, gradient 1
+Loop time of 0.75 on 2 procs for 100 steps with 50 atoms
+"""
+
+
+class Timing(unittest.TestCase):
+    def test_parts_of_the_last_run(self):
+        parts, atoms, steps = timing.by_part(LOG)
+        self.assertEqual((atoms, steps), (50, 100))
+        # 5000 particle-steps: 0.125 s are 25 us each
+        self.assertEqual(list(parts), ["stencil", "solve", "other", "total"])
+        for part, value in zip(parts, (25, 75, 50, 150)):
+            self.assertAlmostEqual(parts[part], value)
+
+    def test_a_log_without_parts_is_an_error(self):
+        with self.assertRaises(RuntimeError):
+            timing.by_part("ALEISPH time: 1 s\nLoop time of 1 on 1 procs for 1 steps with 1 atoms")
+
+
+if __name__ == "__main__":
+    unittest.main()
