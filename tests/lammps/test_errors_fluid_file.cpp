@@ -101,5 +101,6 @@ TEST(FluidFile, Units)
   expect_words(error_with("# DATE: 2025-11-22 UNITS: si CONTRIBUTOR: nobody\n" + rows),
                {"ix aleisph", "fluid.aleisph", "'si'", "units lj"});
   // a file that does not say which units it has is not to be trusted
-  expect_words(error_with("# some fluid\n" + rows), {"ix aleisph", "fluid.aleisph", "no UNITS", "first line"});
+  expect_words(error_with("# some fluid\n" + rows),
+               {"ix aleisph", "fluid.aleisph", "no UNITS", "first line"});
 }

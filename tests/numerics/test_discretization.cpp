@@ -83,7 +83,8 @@ TEST(Timers, InnerScopeIsNotCountedInTheOuterOne)
   using Clock = std::chrono::steady_clock;
   const auto wait = [](double seconds) {
     const auto start = Clock::now();
-    while (std::chrono::duration<double>(Clock::now() - start).count() < seconds) {}
+    while (std::chrono::duration<double>(Clock::now() - start).count() < seconds) {
+    }
   };
   Timers timers;
   const auto start = Clock::now();

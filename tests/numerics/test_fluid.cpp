@@ -19,7 +19,8 @@ std::string read(const std::string &text, FluidProperties &fluid)
 TEST(Fluid, ReadsPropertiesInAnyOrderAndIgnoresComments)
 {
   FluidProperties fluid;
-  EXPECT_EQ(read("# DATE: 2026-11-22 UNITS: si\n\nnu 1.0e-6   # kinematic\n  rho0 998.2\n", fluid), "");
+  EXPECT_EQ(read("# DATE: 2026-11-22 UNITS: si\n\nnu 1.0e-6   # kinematic\n  rho0 998.2\n", fluid),
+            "");
   EXPECT_EQ(fluid.rho0, 998.2);
   EXPECT_EQ(fluid.nu, 1.0e-6);
   EXPECT_EQ(fluid.sigma, 0.0);
