@@ -3,6 +3,8 @@
 #   aleisph_gtest(target LABEL label)                    every TEST of a GoogleTest program
 #   aleisph_script(name LABEL label [RANKS n] [TIMEOUT s] COMMAND script args...)
 #                                                        one Python or bash script
+#   aleisph_scripts([GLOB pattern] [PREFIX text] LABEL label [RANKS n] [TIMEOUT s])
+#                                                        every test_NAME.py as label.[text]NAME
 # Scripts run in a directory of their own below the build directory and find in their environment:
 #   ALEISPH_SOURCE_DIR      top of this source tree
 #   ALEISPH_LMP             the program lmp; LAMMPS_PLUGIN_PATH is set, so that it knows the styles
@@ -86,4 +88,17 @@ function(aleisph_script name)
   set_tests_properties(${arg_LABEL}.${name} PROPERTIES
     LABELS ${arg_LABEL} PROCESSORS ${arg_RANKS} TIMEOUT ${arg_TIMEOUT}
     ENVIRONMENT LAMMPS_PLUGIN_PATH=${PROJECT_BINARY_DIR}/plugin)
+endfunction()
+
+function(aleisph_scripts)
+  cmake_parse_arguments(arg "" "GLOB;PREFIX" "" ${ARGN})
+  if(NOT arg_GLOB)
+    set(arg_GLOB test_*.py)
+  endif()
+  file(GLOB scripts CONFIGURE_DEPENDS ${arg_GLOB})
+  foreach(script IN LISTS scripts)
+    get_filename_component(name ${script} NAME_WE)
+    string(REGEX REPLACE "^test_" "${arg_PREFIX}" name ${name})
+    aleisph_script(${name} ${arg_UNPARSED_ARGUMENTS} COMMAND ${script})
+  endforeach()
 endfunction()
