@@ -12,10 +12,13 @@ Discretization::Discretization(const Kernel &kernel, double spacing, Timers &tim
 }
 
 void Discretization::update(int nowned, const double *const *x, const CandidateList &list,
-                            const Role *role)
+                            const Role *role, bool dry)
 {
   Timers::Scope scope(timers_, Part::STENCIL);
-  stencil_.build(kernel_, nowned, x, list);
+  PairFilter filter;
+  if (dry) filter = {role, ~0u, DRY};
+  stencil_.build(kernel_, nowned, x, list, filter);
+  role_ = role;
   sort_rows(nowned, role);
   have_gradient_ = have_laplacian_ = false;
   counts_.stencil++;
@@ -29,6 +32,7 @@ void Discretization::sort_rows(int nowned, const Role *role)
   all_.resize(nowned);
   for (int i = 0; i < nowned; i++) {
     all_[i] = i;
+    if (role[i] & DRY) continue;
     if (role[i] & WALL)
       wall_.push_back(i);
     else if (role[i] & BUFFER)
@@ -42,7 +46,7 @@ const GradientWeights &Discretization::gradient()
 {
   if (!have_gradient_) {
     Timers::Scope scope(timers_, Part::OPERATORS);
-    gradient_.build(stencil_, volume_);
+    gradient_.build(stencil_, volume_, fluid_, floor_);
     have_gradient_ = true;
     counts_.gradient++;
   }
@@ -54,7 +58,7 @@ const LaplacianWeights &Discretization::laplacian()
   if (!have_laplacian_) {
     const GradientWeights &g = gradient();
     Timers::Scope scope(timers_, Part::OPERATORS);
-    laplacian_.build(stencil_, g, fluid_, volume_, kernel_, spacing_, LaplacianLimits());
+    laplacian_.build(stencil_, g, fluid_, volume_, kernel_, spacing_, LaplacianLimits(), role_);
     have_laplacian_ = true;
     counts_.laplacian++;
   }

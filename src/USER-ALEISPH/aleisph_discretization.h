@@ -24,8 +24,13 @@ class Discretization {
   // volume V = spacing^dim of every particle
   Discretization(const Kernel &kernel, double spacing, Timers &timers);
 
-  // x, role: owned and ghost particles
-  void update(int nowned, const double *const *x, const CandidateList &list, const Role *role);
+  // L of fluid rows is bounded: eigenvalues of M count as `floor` at least
+  void set_floor(double floor) { floor_ = floor; }
+
+  // x, role: owned and ghost particles; role must live until the next update.
+  // dry: particles with role DRY are in no pair.
+  void update(int nowned, const double *const *x, const CandidateList &list, const Role *role,
+              bool dry = false);
 
   const Kernel &kernel() const { return kernel_; }
   double spacing() const { return spacing_; }
@@ -33,10 +38,12 @@ class Discretization {
 
   const Stencil &stencil() const { return stencil_; }
   const GradientWeights &gradient();
+  // rows of particles that are on the surface when it is first asked for are those of Morris
   const LaplacianWeights &laplacian();
+  double floor() const { return floor_; }
 
   // a buffer or wall particle is not in fluid(); a wall particle with
-  // prescribed pressure is in wall()
+  // prescribed pressure is in wall(), a dry one is not
   const Rows &fluid() const { return fluid_; }
   const Rows &wall() const { return wall_; }
   const Rows &buffer() const { return buffer_; }
@@ -49,7 +56,8 @@ class Discretization {
   void sort_rows(int nowned, const Role *role);
 
   Kernel kernel_;
-  double spacing_, volume_;
+  double spacing_, volume_, floor_ = 0.0;
+  const Role *role_ = nullptr;
   Timers &timers_;
   Stencil stencil_;
   GradientWeights gradient_;

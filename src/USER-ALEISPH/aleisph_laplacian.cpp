@@ -165,12 +165,12 @@ template <int D> double morris_row(const Geometry<D> &geo, int i, double eta_h2,
   return sum;
 }
 
-enum class RowKind { CORRECTED, LAMBDA, CONDITION, DIAGONAL };
+enum class RowKind { CORRECTED, LAMBDA, CONDITION, DIAGONAL, SURFACE };
 
 // LaplacianLimits in the units of the row
 struct Thresholds {
   double lambda, cond;
-  double diagonal;    // largest sum_j a_ij that is accepted [1/length^2]
+  double min_diagonal, max_diagonal;    // of sum_j a_ij [1/length^2]
   double eta_h2;
 };
 
@@ -180,10 +180,13 @@ Thresholds thresholds(const LaplacianLimits &limits, const Kernel &kernel, doubl
   // a singular M has no g_ij, hence no corrected row, whatever the limits
   t.lambda = std::max(limits.min_lambda, GradientWeights::MIN_LAMBDA);
   t.cond = limits.max_cond;
-  t.diagonal = INF;
-  if (limits.min_diagonal > -INF)
-    t.diagonal = -limits.min_diagonal * lattice_diagonal(kernel, d) / (d * d);
+  t.min_diagonal = -INF;
+  t.max_diagonal = INF;
   t.eta_h2 = limits.eta * kernel.h() * kernel.h();
+  if (limits.min_diagonal == -INF && limits.max_diagonal == INF) return t;    // the lattice itself
+  const double lattice = lattice_diagonal(kernel, d) / (d * d);
+  t.max_diagonal = -limits.min_diagonal * lattice;
+  t.min_diagonal = -limits.max_diagonal * lattice;
   return t;
 }
 
@@ -200,21 +203,25 @@ RowKind try_corrected_row(const Geometry<D> &geo, int i, double lambda, const Th
   if (!(lambda >= t.lambda)) return RowKind::LAMBDA;
   out.diagonal[i] = corrected_row<D>(geo, i, t.cond, out.a, out.condition[i]);
   if (!acceptable(out.condition[i], t.cond)) return RowKind::CONDITION;
-  return out.diagonal[i] <= t.diagonal ? RowKind::CORRECTED : RowKind::DIAGONAL;
+  const bool good = out.diagonal[i] >= t.min_diagonal && out.diagonal[i] <= t.max_diagonal;
+  return good ? RowKind::CORRECTED : RowKind::DIAGONAL;
 }
 
 template <int D>
 MorrisCount build_rows(const Stencil &s, const GradientWeights &g, const Rows &rows, double volume,
-                       const Thresholds &t, const Target &out)
+                       const Thresholds &t, const Role *role, const Target &out)
 {
   const Geometry<D> geo(s, g, volume);
   MorrisCount count;
   for (int i : rows) {
-    const RowKind kind = try_corrected_row<D>(geo, i, g.lambda(i), t, out);
+    const bool surface = role && (role[i] & SURFACE);
+    const RowKind kind = surface ? RowKind::SURFACE
+                                 : try_corrected_row<D>(geo, i, g.lambda(i), t, out);
     if (kind == RowKind::CORRECTED) continue;
     count.lambda += kind == RowKind::LAMBDA;
     count.condition += kind == RowKind::CONDITION;
     count.diagonal += kind == RowKind::DIAGONAL;
+    count.surface += kind == RowKind::SURFACE;
     out.morris[i] = 1;
     out.diagonal[i] = morris_row<D>(geo, i, t.eta_h2, out.a);
   }
@@ -225,7 +232,7 @@ MorrisCount build_rows(const Stencil &s, const GradientWeights &g, const Rows &r
 
 void LaplacianWeights::build(const Stencil &s, const GradientWeights &g, const Rows &rows,
                              double volume, const Kernel &kernel, double d,
-                             const LaplacianLimits &limits)
+                             const LaplacianLimits &limits, const Role *role)
 {
   a_.assign(s.pairs(), 0.0);
   diagonal_.assign(s.rows(), 0.0);
@@ -233,8 +240,8 @@ void LaplacianWeights::build(const Stencil &s, const GradientWeights &g, const R
   morris_.assign(s.rows(), 0);
   const Thresholds t = thresholds(limits, kernel, d);
   const Target out = {a_.data(), diagonal_.data(), condition_.data(), morris_.data()};
-  count_ = s.dim() == 2 ? build_rows<2>(s, g, rows, volume, t, out)
-                        : build_rows<3>(s, g, rows, volume, t, out);
+  count_ = s.dim() == 2 ? build_rows<2>(s, g, rows, volume, t, role, out)
+                        : build_rows<3>(s, g, rows, volume, t, role, out);
 }
 
 double LaplacianWeights::bytes() const

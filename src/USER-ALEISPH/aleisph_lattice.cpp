@@ -15,7 +15,7 @@ namespace {
 
 constexpr double PI = 3.14159265358979323846;
 constexpr double INF = std::numeric_limits<double>::infinity();
-constexpr LaplacianLimits NO_LIMITS = {0.0, INF, -INF, 0.0};
+constexpr LaplacianLimits NO_LIMITS = {0.0, INF, -INF, INF, 0.0};
 
 // the lattice points within the support of the first one, which is the origin
 std::vector<double> lattice_points(const Kernel &kernel, double d)

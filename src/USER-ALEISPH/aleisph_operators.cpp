@@ -10,6 +10,7 @@
 #include "aleisph_operators.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace aleisph {
@@ -70,26 +71,73 @@ double smallest_eigenvalue(const Mat<3> &M)
   return Eigen::SelfAdjointEigenSolver<Mat<3>>(M, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-// writes g of the pairs of every row and lambda; returns the number of singular rows
+// M^-1 with the eigenvalues of M not below floor
+template <int D> Mat<D> floored_inverse(const Mat<D> &M, double floor)
+{
+  const Eigen::SelfAdjointEigenSolver<Mat<D>> eigen(M);
+  const Vec<D> inverse = eigen.eigenvalues().cwiseMax(floor).cwiseInverse();
+  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+struct InverseCount {
+  int singular = 0, clamped = 0;
+};
+
 template <int D>
-int build_gradient(const Stencil &s, double volume, std::array<std::vector<double>, 3> &g,
-                   std::vector<double> &lambda)
+Mat<D> inverse_moment(const Mat<D> &M, double lambda, double floor, InverseCount &count)
+{
+  if (floor > 0.0 && lambda < floor) {
+    count.clamped++;
+    return floored_inverse<D>(M, floor);
+  }
+  if (lambda >= GradientWeights::MIN_LAMBDA) return M.inverse();
+  count.singular++;
+  return Mat<D>::Zero();
+}
+
+// floor of each row: `floor` for the rows listed, else 0; empty if there is none at all
+std::vector<double> row_floors(int nrows, const Rows &floored, double floor)
+{
+  std::vector<double> floors;
+  if (floor <= 0.0 || floored.empty()) return floors;
+  floors.assign(nrows, 0.0);
+  for (const int i : floored) floors[i] = floor;
+  return floors;
+}
+
+// writes g of the pairs of every row and lambda
+template <int D>
+InverseCount build_gradient(const Stencil &s, double volume, const std::vector<double> &floors,
+                            std::array<std::vector<double>, 3> &g, std::vector<double> &lambda)
 {
   const Pointers<D> e = directions<D>(s);
   const double *dw = s.dw();
-  int singular = 0;
+  InverseCount count;
   for (int i = 0; i < s.rows(); i++) {
     const Mat<D> M = moment<D>(s, e, i, volume);
     lambda[i] = smallest_eigenvalue(M);
-    const bool good = lambda[i] >= GradientWeights::MIN_LAMBDA;
-    if (!good) singular++;
-    const Mat<D> L = good ? Mat<D>(M.inverse()) : Mat<D>(Mat<D>::Zero());
+    const Mat<D> L = inverse_moment<D>(M, lambda[i], floors.empty() ? 0.0 : floors[i], count);
     for (int k = s.begin(i); k < s.end(i); k++) {
       const Vec<D> g_ij = (volume * dw[k]) * (L * e(k));
       for (int a = 0; a < D; a++) g[a][k] = g_ij[a];
     }
   }
-  return singular;
+  return count;
+}
+
+template <int D>
+void store_inverses(const Stencil &s, const Rows &rows, double volume, double floor,
+                    double *inverse)
+{
+  const Pointers<D> e = directions<D>(s);
+  InverseCount unused;
+  for (const int i : rows) {
+    const Mat<D> M = moment<D>(s, e, i, volume);
+    Mat<3> L = Mat<3>::Zero();
+    L.template topLeftCorner<D, D>() = inverse_moment<D>(M, smallest_eigenvalue(M), floor, unused);
+    const double packed[6] = {L(0, 0), L(1, 1), L(2, 2), L(0, 1), L(0, 2), L(1, 2)};
+    std::copy(packed, packed + 6, inverse + 6 * i);
+  }
 }
 
 inline Vec<3> at(const double *v, int j)
@@ -159,6 +207,19 @@ void convection_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, c
 }
 
 template <int D>
+void velocity_gradient_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows,
+                            const double *v, const Role *role, const double *normal, double *out)
+{
+  const int *col = s.col();
+  for (int i : rows) {
+    Mat<3> sum = Mat<3>::Zero();
+    for (int k = s.begin(i); k < s.end(i); k++)
+      sum += difference(v, i, col[k], role, normal) * in_space<D>(g(k)).transpose();
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) = sum;
+  }
+}
+
+template <int D>
 void curl_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, const double *v,
                double *out)
 {
@@ -173,12 +234,24 @@ void curl_rows(const Stencil &s, const Pointers<D> &g, const Rows &rows, const d
 
 }    // namespace
 
-void GradientWeights::build(const Stencil &s, double volume)
+void GradientWeights::build(const Stencil &s, double volume, const Rows &floored, double floor)
 {
   for (int a = 0; a < 3; a++) g_[a].resize(a < s.dim() ? s.pairs() : 0);
   lambda_.resize(s.rows());
-  singular_ = s.dim() == 2 ? build_gradient<2>(s, volume, g_, lambda_)
-                           : build_gradient<3>(s, volume, g_, lambda_);
+  const std::vector<double> floors = row_floors(s.rows(), floored, floor);
+  const InverseCount count = s.dim() == 2 ? build_gradient<2>(s, volume, floors, g_, lambda_)
+                                          : build_gradient<3>(s, volume, floors, g_, lambda_);
+  singular_ = count.singular;
+  clamped_ = count.clamped;
+}
+
+void inverse_moments(const Stencil &s, const Rows &rows, double volume, double floor,
+                     double *inverse)
+{
+  if (s.dim() == 2)
+    store_inverses<2>(s, rows, volume, floor, inverse);
+  else
+    store_inverses<3>(s, rows, volume, floor, inverse);
 }
 
 double GradientWeights::bytes() const
@@ -211,6 +284,15 @@ void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, co
     convection_rows<2>(s, weights<2>(g), rows, c, v, role, normal, out);
   else
     convection_rows<3>(s, weights<3>(g), rows, c, v, role, normal, out);
+}
+
+void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
+                       const double *v, const Role *role, const double *normal, double *out)
+{
+  if (s.dim() == 2)
+    velocity_gradient_rows<2>(s, weights<2>(g), rows, v, role, normal, out);
+  else
+    velocity_gradient_rows<3>(s, weights<3>(g), rows, v, role, normal, out);
 }
 
 void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,

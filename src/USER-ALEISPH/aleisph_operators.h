@@ -29,24 +29,27 @@ using Rows = std::vector<int>;
 /* ----------------------------------------------------------------------
    g_ij [1/length] and lambda_i, the smallest eigenvalue of M_i (0.98-0.99
    in the bulk, 0.5 at a flat free surface, 0 for an isolated pair).
-   A row whose M cannot be inverted (lambda < min_lambda) gets g_ij = 0 and
-   is counted in singular().
+   On the rows listed in `floored`, eigenvalues of M below `floor` are
+   replaced by it in L (lambda() stays the true one); such rows are counted
+   in clamped(). A row whose M cannot be inverted (lambda < MIN_LAMBDA,
+   no floor) gets g_ij = 0 and is counted in singular().
 ------------------------------------------------------------------------- */
 class GradientWeights {
  public:
   static constexpr double MIN_LAMBDA = 1.0e-8;
 
-  void build(const Stencil &s, double volume);
+  void build(const Stencil &s, double volume, const Rows &floored = Rows(), double floor = 0.0);
 
   const double *g(int a) const { return g_[a].data(); }    // pair array, component a < dim
   double lambda(int i) const { return lambda_[i]; }
   int singular() const { return singular_; }
+  int clamped() const { return clamped_; }
   double bytes() const;
 
  private:
   std::array<std::vector<double>, 3> g_;
   std::vector<double> lambda_;
-  int singular_ = 0;
+  int singular_ = 0, clamped_ = 0;
 };
 
 /* ----------------------------------------------------------------------
@@ -57,26 +60,33 @@ class GradientWeights {
      lambda      lambda_i < min_lambda, or M_i is singular
      condition   2-norm condition number of the B system > max_cond (the
                  unknowns are scaled so that it does not depend on the axes)
-     diagonal    -d^2 sum_j a_ij < min_diagonal * (value on the full lattice)
+     diagonal    -d^2 sum_j a_ij outside [min_diagonal, max_diagonal] times
+                 the value on the full lattice; a diagonal far too large makes
+                 explicit viscosity unstable
+   Particles on the surface have Morris' row always; they are counted apart.
 ------------------------------------------------------------------------- */
 struct LaplacianLimits {
   double min_lambda = 0.5;
   double max_cond = 200.0;
   double min_diagonal = 0.5;
+  double max_diagonal = 4.0;
   double eta = 0.01;
 };
 
 struct MorrisCount {
-  int lambda = 0, condition = 0, diagonal = 0;
+  int lambda = 0, condition = 0, diagonal = 0, surface = 0;
+  // untrusted rows, so without the surface
   int total() const { return lambda + condition + diagonal; }
 };
 
 class LaplacianWeights {
  public:
   // builds the rows listed; all other rows are zero. kernel: the one of the
-  // stencil (Morris' eta h^2, value on the full lattice), d: particle spacing.
+  // stencil (Morris' eta h^2, value on the full lattice), d: particle spacing;
+  // role: read for SURFACE, may be null.
   void build(const Stencil &s, const GradientWeights &g, const Rows &rows, double volume,
-             const Kernel &kernel, double d, const LaplacianLimits &limits);
+             const Kernel &kernel, double d, const LaplacianLimits &limits,
+             const Role *role = nullptr);
 
   const double *a() const { return a_.data(); }            // pair array [1/length^2]
   double diagonal(int i) const { return diagonal_[i]; }    // sum_j a_ij, < 0 for a good row
@@ -93,6 +103,10 @@ class LaplacianWeights {
   MorrisCount count_;
 };
 
+// inverse[6*i+...] = L_i of the rows listed as xx yy zz xy xz yz, with the floor of `floored` rows
+void inverse_moments(const Stencil &s, const Rows &rows, double volume, double floor,
+                     double *inverse);
+
 // grad[3*i+a] = (grad f)_i
 void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *f,
               double *grad);
@@ -106,6 +120,10 @@ void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, co
 // out[3*i+a] = (c_i . grad) v_a, slip walls as in divergence()
 void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *c,
                 const double *v, const Role *role, const double *normal, double *out);
+
+// out[9*i+3*a+b] = d v_a/d x_b, slip walls as in divergence()
+void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
+                       const double *v, const Role *role, const double *normal, double *out);
 
 // out[3*i+a] = (lap v_a)_i, neighbours with role SLIP left out (v_j := v_i)
 void laplacian(const Stencil &s, const LaplacianWeights &w, const Rows &rows, const double *v,

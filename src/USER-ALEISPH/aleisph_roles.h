@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    What a particle is. Bits of one unsigned per particle, known for owned
-   and ghost particles alike.
+   and ghost particles alike. The first group is given by the script, the
+   second is found anew from the positions of every step.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_ROLES_H
@@ -17,6 +18,10 @@ constexpr Role SLIP = 4;         // with WALL: exerts no viscous force
 constexpr Role DIRICHLET = 8;    // pressure is prescribed, whatever else the particle is
 constexpr Role BUFFER = 16;      // velocity is copied from upstream (zero gradient)
 constexpr Role CURLCURL = 32;    // with WALL: v* includes the viscous force -nu curl curl v
+
+constexpr Role SURFACE = 64;       // with FLUID: on the free surface
+constexpr Role BALLISTIC = 128;    // with FLUID and SURFACE: too few neighbours, flies freely
+constexpr Role DRY = 256;          // with WALL: far from all fluid, in nobody's stencil
 
 }    // namespace aleisph
 #endif

@@ -26,9 +26,19 @@ template <class T> double held(const std::vector<T> &v)
   return static_cast<double>(v.capacity()) * sizeof(T);
 }
 
+inline bool wanted_row(const PairFilter &f, int i)
+{
+  return !f.role || ((f.role[i] & f.rows) && !(f.role[i] & f.drop));
+}
+
+inline bool wanted_column(const PairFilter &f, int j)
+{
+  return !f.role || !(f.role[j] & f.drop);
+}
+
 // row pointers of the pairs within the support; returns the number of coincident pairs
 int count_pairs(const Kernel &kernel, const double *const *x, const CandidateList &list,
-                std::vector<int> &ptr)
+                const PairFilter &filter, std::vector<int> &ptr)
 {
   const int nowned = static_cast<int>(ptr.size()) - 1, dim = kernel.dim();
   const double support2 = kernel.support() * kernel.support();
@@ -36,8 +46,11 @@ int count_pairs(const Kernel &kernel, const double *const *x, const CandidateLis
   long long pairs = 0;
   ptr[0] = 0;
   for (int i = 0; i < nowned; i++) {
-    for (int m = 0; m < list.count[i]; m++) {
-      const double r2 = distance2(dim, x[i], x[list.first[i][m] & list.mask]);
+    const int candidates = wanted_row(filter, i) ? list.count[i] : 0;
+    for (int m = 0; m < candidates; m++) {
+      const int j = list.first[i][m] & list.mask;
+      if (!wanted_column(filter, j)) continue;
+      const double r2 = distance2(dim, x[i], x[j]);
       if (r2 == 0.0)
         coincident++;
       else if (r2 < support2)
@@ -53,11 +66,11 @@ int count_pairs(const Kernel &kernel, const double *const *x, const CandidateLis
 }    // namespace
 
 void Stencil::build(const Kernel &kernel, int nowned, const double *const *x,
-                    const CandidateList &list)
+                    const CandidateList &list, const PairFilter &filter)
 {
   dim_ = kernel.dim();
   ptr_.resize(nowned + 1);
-  coincident_ = count_pairs(kernel, x, list, ptr_);
+  coincident_ = count_pairs(kernel, x, list, filter, ptr_);
   col_.resize(pairs());
   r_.resize(pairs());
   dw_.resize(pairs());
@@ -66,8 +79,10 @@ void Stencil::build(const Kernel &kernel, int nowned, const double *const *x,
   const double support2 = kernel.support() * kernel.support();
   int k = 0;
   for (int i = 0; i < nowned; i++) {
-    for (int m = 0; m < list.count[i]; m++) {
+    const int candidates = wanted_row(filter, i) ? list.count[i] : 0;
+    for (int m = 0; m < candidates; m++) {
       const int j = list.first[i][m] & list.mask;
+      if (!wanted_column(filter, j)) continue;
       const double r2 = distance2(dim_, x[i], x[j]);
       if (r2 == 0.0 || !(r2 < support2)) continue;
       const double r = std::sqrt(r2);

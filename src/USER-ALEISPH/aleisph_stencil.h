@@ -12,6 +12,7 @@
 #define LMP_ALEISPH_STENCIL_H
 
 #include "aleisph_kernel.h"
+#include "aleisph_roles.h"
 
 #include <array>
 #include <vector>
@@ -26,13 +27,21 @@ struct CandidateList {
   int mask;
 };
 
+// Which pairs are wanted, by role (owned and ghost); without roles: all
+struct PairFilter {
+  const Role *role = nullptr;
+  Role rows = ~0u;    // the rows of particles with none of these roles stay empty
+  Role drop = 0;      // particles with one of these roles are in no pair
+};
+
 class Stencil {
  public:
   // x: 3 doubles per particle (owned and ghost), [length].
   // Two particles at the same place cannot be handled; their pairs are left
   // out and counted in coincident(), once for each owned row that meets one.
   // The order of the candidates is kept.
-  void build(const Kernel &kernel, int nowned, const double *const *x, const CandidateList &list);
+  void build(const Kernel &kernel, int nowned, const double *const *x, const CandidateList &list,
+             const PairFilter &filter = PairFilter());
 
   int dim() const { return dim_; }
   int rows() const { return static_cast<int>(ptr_.size()) - 1; }

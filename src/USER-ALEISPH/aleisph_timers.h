@@ -12,14 +12,25 @@
 
 namespace aleisph {
 
-enum class Part { OUTSIDE, STENCIL, OPERATORS, MOMENTUM, ASSEMBLY, PRECONDITIONER, SOLVE, COMM };
-constexpr int NUM_PARTS = 8;
+enum class Part {
+  OUTSIDE,
+  STENCIL,
+  OPERATORS,
+  SURFACE,
+  MOMENTUM,
+  ASSEMBLY,
+  PRECONDITIONER,
+  SOLVE,
+  SHIFT,
+  COMM
+};
+constexpr int NUM_PARTS = 10;
 
 inline const char *to_string(Part part)
 {
-  static const char *const names[NUM_PARTS] = {"outside",  "stencil",      "operators",
-                                               "momentum", "assembly",     "preconditioner",
-                                               "solve",    "communication"};
+  static const char *const names[NUM_PARTS] = {
+      "outside",  "stencil",        "operators", "surface", "momentum",
+      "assembly", "preconditioner", "solve",     "shift",   "communication"};
   return names[static_cast<int>(part)];
 }
 

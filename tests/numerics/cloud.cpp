@@ -18,6 +18,7 @@ LaplacianLimits no_limits()
   limits.min_lambda = 0.0;
   limits.max_cond = inf;
   limits.min_diagonal = -inf;
+  limits.max_diagonal = inf;
   return limits;
 }
 
