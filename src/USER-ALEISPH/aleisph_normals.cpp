@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-only
-/* ----------------------------------------------------------------------
-   u directions to wall neighbours, axis: roughly into the fluid. Where two
-   walls meet, the facets that bound the fluid are those next to each other
-   as seen along the axis; the sense of rotation about it orients them, so
-   that a badly tilted axis cannot flip a single facet.
-------------------------------------------------------------------------- */
 
 #include "aleisph_normals.h"
 
@@ -17,187 +11,208 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-constexpr double PI = 3.14159265358979323846;
-constexpr double DEGREE = PI / 180.0;
-
-// A sum of directions shorter than this part of their number has no direction.
+// A mean of directions shorter than this has no direction.
 constexpr double NO_DIRECTION = 1.0e-6;
 
-// Members closer than this in azimuth hide one another: where a wall ends on another wall that
-// goes on behind it, the part behind is no boundary of this fluid.
-constexpr double HIDDEN = 20.0 * DEGREE;
+// The centre of a square of wall particles is at 0.707 d from them: a line that passes closer to
+// one goes through the wall, or grazes it.
+constexpr double OPAQUE = 0.72;
 
-// A facet wider than this is a piece of wall only if there is a wall particle in it, as there is
-// on the diagonal of a square cell, and not on the free top of a tank's corner.
-constexpr double NEEDS_WITNESS = 75.0 * DEGREE;
-constexpr double WITNESS = 30.0 * DEGREE;    // so far from the bisector, at most
-constexpr double WITNESS_REACH = 1.4;        // and in units of the reach of the fan
+// From the neighbour at u_j towards its normal; along a wall that bends this stays on the side of
+// the fluid whichever way it bends.
+constexpr double INTO_FLUID = 0.5;
 
-struct Neighbour {
-  double r;
-  Vec3 u;
+// A neighbour that is this concave may have walls behind the one that bounds its fluid.
+constexpr double CONCAVE = 1.03;
+
+// cosine of the angle between the normals of wall particles next to each other that is too large
+constexpr double OPPOSITE = -0.5;
+
+// Rotations by less are rounding.
+constexpr double SAME_NORMAL = 1.0e-9;
+
+struct Wall {
+  const Stencil &s;
+  const Role *role;
+  double d;
+  const double *normal, *shape;
+
+  bool is_fluid(int k) const { return (role[s.col()[k]] & (FLUID | WALL)) == FLUID; }
+  bool is_wall(int k) const { return role[s.col()[k]] & WALL; }
+
+  Vec3 direction(int k) const
+  {
+    Vec3 u = Vec3::Zero();
+    for (int a = 0; a < s.dim(); a++) u[a] = -s.e(a)[k];
+    return u;
+  }
 };
-using Fan = std::vector<Neighbour>;
 
-Vec3 direction(const Stencil &s, int k)
+Vec3 at(const double *v, int i)
 {
-  Vec3 u = Vec3::Zero();
-  for (int a = 0; a < s.dim(); a++) u[a] = -s.e(a)[k];
-  return u;
-}
-
-double angle(const Vec3 &u, const Vec3 &v)
-{
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return Eigen::Map<const Vec3>(v + 3 * i);
 }
 
 // along sum gradW over the fluid; zero if there is no fluid
-Vec3 fluid_direction(const Stencil &s, const Role *role, int i)
+Vec3 fluid_direction(const Wall &wall, int i)
 {
   Vec3 sum = Vec3::Zero();
   double weight = 0.0;
-  for (int k = s.begin(i); k < s.end(i); k++) {
-    const Role role_j = role[s.col()[k]];
-    if (!(role_j & FLUID) || (role_j & WALL)) continue;
-    sum -= s.dw()[k] * direction(s, k);
-    weight -= s.dw()[k];
+  for (int k = wall.s.begin(i); k < wall.s.end(i); k++) {
+    if (!wall.is_fluid(k)) continue;
+    sum -= wall.s.dw()[k] * wall.direction(k);
+    weight -= wall.s.dw()[k];
   }
   return sum.norm() > NO_DIRECTION * weight ? sum.normalized() : Vec3::Zero();
 }
 
-// by distance
-Fan wall_neighbours(const Stencil &s, const Role *role, int i, double reach)
+// from i to the neighbour of pair k, past all wall particles
+bool can_see(const Wall &wall, int i, int k)
 {
-  Fan all;
-  for (int k = s.begin(i); k < s.end(i); k++)
-    if ((role[s.col()[k]] & WALL) && s.r()[k] <= reach) all.push_back({s.r()[k], direction(s, k)});
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Neighbour &a, const Neighbour &b) { return a.r < b.r; });
-  return all;
+  const Stencil &s = wall.s;
+  const Vec3 u = wall.direction(k);
+  for (int m = s.begin(i); m < s.end(i); m++) {
+    if (!wall.is_wall(m) || m == k) continue;
+    const Vec3 r = s.r()[m] * wall.direction(m);
+    const double along = r.dot(u);
+    if (along > 0.0 && along < s.r()[k] &&
+        (r - along * u).squaredNorm() < OPAQUE * OPAQUE * wall.d * wall.d)
+      return false;
+  }
+  return true;
 }
 
-// the nearest ones that keep the least angle to one another
-Fan select_fan(const Fan &all, double reach, double min_angle)
+int largest(const std::vector<double> &votes)
 {
-  Fan fan;
-  for (const Neighbour &candidate : all)
-    if (candidate.r <= reach &&
-        std::all_of(fan.begin(), fan.end(), [&candidate, min_angle](const Neighbour &member) {
-          return angle(member.u, candidate.u) >= min_angle;
-        }))
-      fan.push_back(candidate);
-  return fan;
+  const auto most = std::max_element(votes.begin(), votes.end());
+  return most != votes.end() && *most > 0.0 ? static_cast<int>(most - votes.begin())
+                                            : WallFan::NONE;
 }
 
-// of u about the axis, in [0, 2 pi), from the direction e1 towards axis x e1
-double azimuth(const Vec3 &u, const Vec3 &axis, const Vec3 &e1)
+int side_of_fluid(const Wall &wall, int i, const WallFan &fan)
 {
-  const double phi = std::atan2(axis.cross(e1).dot(u), e1.dot(u));
-  return phi < 0.0 ? phi + 2.0 * PI : phi;
+  std::vector<double> votes(fan.sides(), 0.0);
+  for (int k = wall.s.begin(i); k < wall.s.end(i); k++) {
+    if (!wall.is_fluid(k) || !can_see(wall, i, k)) continue;
+    const int side = fan.side_of(wall.direction(k));
+    if (side != WallFan::NONE) votes[side] -= wall.s.dw()[k];
+  }
+  return largest(votes);
 }
 
 /* ----------------------------------------------------------------------
-   2d: the first wall segment on either side of the axis. Seen from the
-   axis, the segment met counter-clockwise has its fluid side clockwise.
+   Does i, at -u from j, bound the fluid of j? In a concave edge of half
+   opening beta = asin(1/shape) the walls that do lie at beta from n_j, and
+   the continuation of one of them behind the other at pi - beta. Where more
+   walls meet, as at the foot of a column, they come closer to one another;
+   in between is half of cos(pi - beta).
 ------------------------------------------------------------------------- */
-Vec3 normal_2d(const Fan &fan, const Vec3 &axis)
+bool bounds_same_fluid(const Vec3 &u, const Vec3 &n_j, double shape_j)
 {
-  if (fan.empty()) return Vec3::Zero();
-  const auto rotated = [](const Vec3 &u, double sign) {
-    return Vec3(-sign * u[1], sign * u[0], 0.0);
-  };
-  if (fan.size() == 1) {
-    const Vec3 n = rotated(fan[0].u, 1.0);
-    return n.dot(axis) < 0.0 ? Vec3(-n) : n;
-  }
-  const auto turn = [&axis](const Neighbour &m) { return azimuth(m.u, Vec3::UnitZ(), axis); };
-  const auto ends = std::minmax_element(
-      fan.begin(), fan.end(),
-      [&turn](const Neighbour &a, const Neighbour &b) { return turn(a) < turn(b); });
-  return rotated(ends.first->u, -1.0) + rotated(ends.second->u, 1.0);
+  if (shape_j <= CONCAVE) return true;
+  return -u.dot(n_j) > -0.5 * std::sqrt(1.0 - 1.0 / (shape_j * shape_j));
 }
 
-struct Member {
-  Vec3 u;
-  double phi, height;    // azimuth about the axis, component along it
+int side_of_neighbours(const Wall &wall, const WallFan &fan)
+{
+  std::vector<double> votes(fan.sides(), 0.0);
+  for (const WallFan::Vertex &vertex : fan.vertices()) {
+    if (vertex.k == WallFan::NONE || vertex.out.empty()) continue;
+    const int j = wall.s.col()[vertex.k];
+    const Vec3 n_j = at(wall.normal, j);
+    if (n_j.isZero(0.0) || !bounds_same_fluid(vertex.u, n_j, wall.shape[j])) continue;
+    const int side = fan.side_of(vertex.u + INTO_FLUID * n_j);
+    if (side != WallFan::NONE) votes[side] += 1.0;
+  }
+  return largest(votes);
+}
+
+int find_side(const Wall &wall, int i, const WallFan &fan, const Vec3 &previous)
+{
+  int side = previous.isZero(0.0) ? WallFan::NONE : fan.side_of(previous);
+  if (side == WallFan::NONE) side = side_of_fluid(wall, i, fan);
+  if (side == WallFan::NONE) side = side_of_neighbours(wall, fan);
+  return side;
+}
+
+struct Found {
+  Vec3 n = Vec3::Zero();
+  double shape = 0.0;
+  NormalStatus status = NormalStatus::UNKNOWN;
+  std::vector<int> around;    // pairs with wall particles next to it that bound the same fluid
 };
 
-// The fan lies to one side on an edge or corner; its middle is then a better axis than the
-// direction to the fluid, which feels every displacement of a fluid particle.
-Vec3 centred_axis(const Fan &fan, const Vec3 &to_fluid)
+bool take_mean(const WallFan::Mean &mean, Found &found)
 {
-  Vec3 sum = Vec3::Zero();
-  for (const Neighbour &m : fan) sum += m.u;
-  return (to_fluid + (sum.dot(to_fluid) < 0.0 ? -1.0 : 1.0) * sum).normalized();
+  const double c = mean.n.norm();
+  if (c <= NO_DIRECTION) return false;
+  found.n = mean.n / c;
+  found.shape = mean.lean > 0.0 ? 1.0 / c : c;
+  found.status = NormalStatus::FAN;
+  return true;
 }
 
-// the members by azimuth, without those hidden behind another
-std::vector<Member> sort_fan(const Fan &fan, const Vec3 &axis)
+Found find(const Wall &wall, int i, const FanParams &params, const Vec3 &previous)
 {
-  const Vec3 e1 = axis.unitOrthogonal();
-  std::vector<Member> seen;
-  for (const Neighbour &m : fan) seen.push_back({m.u, azimuth(m.u, axis, e1), m.u.dot(axis)});
-  std::sort(seen.begin(), seen.end(),
-            [](const Member &a, const Member &b) { return a.height > b.height; });
-  std::vector<Member> kept;
-  for (const Member &m : seen)
-    if (std::all_of(kept.begin(), kept.end(), [&m](const Member &k) {
-          return std::fabs(std::remainder(k.phi - m.phi, 2.0 * PI)) >= HIDDEN;
-        }))
-      kept.push_back(m);
-  std::sort(kept.begin(), kept.end(),
-            [](const Member &a, const Member &b) { return a.phi < b.phi; });
-  return kept;
-}
-
-bool is_wall(const Vec3 &u, const Vec3 &v, double width, const Fan &all, double max_gap)
-{
-  if (width >= max_gap) return false;
-  if (width <= NEEDS_WITNESS) return true;
-  const Vec3 bisector = u + v;
-  return std::any_of(all.begin(), all.end(),
-                     [&bisector](const Neighbour &m) { return angle(m.u, bisector) <= WITNESS; });
-}
-
-// 3d: the sum of the normals of the facets, weighted by their angles at i
-Vec3 normal_3d(const Fan &all, const Fan &fan, const Vec3 &to_fluid, double max_gap)
-{
-  Vec3 sum = Vec3::Zero();
-  if (fan.size() < 2) return sum;
-  const Vec3 axis = centred_axis(fan, to_fluid);
-  const std::vector<Member> sorted = sort_fan(fan, axis);
-  for (size_t m = 0; m < sorted.size(); m++) {
-    const Vec3 &u = sorted[m].u, &v = sorted[(m + 1) % sorted.size()].u;
-    const Vec3 n = u.cross(v);
-    if (n.dot(axis) <= 0.0) continue;    // half a turn or more: there is no facet to the next one
-    const double width = angle(u, v);
-    if (is_wall(u, v, width, all, max_gap)) sum += width * n.normalized();
+  Found found;
+  const WallFan fan(wall.s, wall.role, i, wall.d, params);
+  const int side = find_side(wall, i, fan, previous);
+  if (side == WallFan::NONE && fan.sides() > 0) return found;
+  if (side != WallFan::NONE) found.around = fan.boundary(side);
+  if (side == WallFan::NONE || !take_mean(fan.mean(side), found)) {
+    const Vec3 n = previous.isZero(0.0) ? fluid_direction(wall, i) : previous;
+    if (!n.isZero(0.0)) {
+      found.n = n;
+      found.shape = 1.0;
+      found.status = NormalStatus::FLUID;
+    }
   }
-  return sum;
+  if ((found.n - previous).norm() < SAME_NORMAL) found.n = previous;
+  return found;
+}
+
+bool contradicts(const Wall &wall, const Found &found)
+{
+  return std::any_of(found.around.begin(), found.around.end(), [&](int k) {
+    const int j = wall.s.col()[k];
+    const Vec3 n_j = at(wall.normal, j);
+    return n_j.dot(found.n) < OPPOSITE && bounds_same_fluid(wall.direction(k), n_j, wall.shape[j]);
+  });
 }
 
 }    // namespace
 
-void wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d,
-                  const NormalParams &params, double *normal, std::vector<NormalStatus> &status)
+NormalCount wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d,
+                         const FanParams &params, const double *previous, double *normal,
+                         double *shape, std::vector<NormalStatus> &status)
 {
-  for (int i : rows) {
-    const Vec3 to_fluid = fluid_direction(s, role, i);
-    Vec3 n = Vec3::Zero();
-    status[i] = NormalStatus::UNKNOWN;
-    if (to_fluid.squaredNorm() > 0.0) {
-      const Fan all = wall_neighbours(s, role, i, WITNESS_REACH * params.reach * d);
-      const Fan fan = select_fan(all, params.reach * d, params.min_angle * DEGREE);
-      n = s.dim() == 2 ? normal_2d(fan, to_fluid)
-                       : normal_3d(all, fan, to_fluid, params.max_gap * DEGREE);
-      status[i] = NormalStatus::FAN;
-      if (n.norm() <= NO_DIRECTION) {
-        n = to_fluid;
-        status[i] = NormalStatus::FLUID;
-      }
-      n.normalize();
-    }
-    for (int a = 0; a < 3; a++) normal[3 * i + a] = n[a];
+  const Wall wall{s, role, d, normal, shape};
+  std::vector<Found> found;
+  for (const int i : rows)
+    found.push_back(find(wall, i, params, previous ? at(previous, i) : Vec3::Zero()));
+
+  NormalCount count;
+  for (size_t m = 0; m < rows.size(); m++) {
+    const int i = rows[m];
+    for (int a = 0; a < 3; a++) normal[3 * i + a] = found[m].n[a];
+    shape[i] = found[m].shape;
+    status[i] = found[m].status;
+    count.found += found[m].status != NormalStatus::UNKNOWN;
+    count.fallback += found[m].status == NormalStatus::FLUID;
+  }
+  for (size_t m = 0; m < rows.size(); m++)
+    if (contradicts(wall, found[m])) count.contradictory.push_back(rows[m]);
+  return count;
+}
+
+void wall_shapes(const Stencil &s, const Rows &rows, const Role *role, double d,
+                 const FanParams &params, const double *normal, double *shape)
+{
+  for (const int i : rows) {
+    const WallFan fan(s, role, i, d, params);
+    const int side = fan.side_of(at(normal, i));
+    Found found;
+    shape[i] = side != WallFan::NONE && take_mean(fan.mean(side), found) ? found.shape : 1.0;
   }
 }
 

@@ -1,37 +1,57 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    Unit wall normals, into the fluid, of single-layer walls, from particle
-   positions alone. The wall particles next to i form a fan around it; each
-   pair of neighbours in the fan spans a facet; n_i is the angle-weighted
-   sum of the facet normals (Thuermer & Wuethrich, J. Graphics Tools 3
-   (1998) 43), which on an edge or corner of a box is the normalised sum of
-   the face normals. The side on which the fluid lies orients the facets;
-   where it is elsewhere it has no influence, unless there is no facet.
+   positions alone. Each pair of wall particles next to each other and to i
+   spans a facet; n_i is the angle-weighted sum of the facet normals
+   (Thuermer & Wuethrich, J. Graphics Tools 3 (1998) 43), which on an edge
+   or corner of a box is the normalised sum of the face normals.
+
+   Which side of the wall the fluid is on is told, in this order, by
+     the normal of the step before,
+     fluid particles within the support that i can see,
+     wall neighbours whose normal is known.
+   This chooses the facets (WallFan) and has no other influence, unless
+   there is no facet. By the last one normals spread along dry walls, one
+   particle in each call.
+
+   The shape of the wall at i is 1/|mean facet normal| where the facets lean
+   towards n, and |mean facet normal| where they lean away: 1 on a plane,
+   sqrt 2 in a concave right-angled edge, sqrt 3 in a corner, 1/sqrt 2 on a
+   convex edge.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_NORMALS_H
 #define LMP_ALEISPH_NORMALS_H
 
 #include "aleisph_operators.h"
+#include "aleisph_wall_fan.h"
 
 namespace aleisph {
 
 enum class NormalStatus : char {
   FAN,       // from the facets
-  FLUID,     // too few wall neighbours: the direction to the fluid
-  UNKNOWN    // no fluid within the support: which side it is on is not known, n = 0
+  FLUID,     // too few wall neighbours: the direction to the fluid, or the normal before
+  UNKNOWN    // not known on which side the fluid is: n = 0, shape 0
 };
 
-struct NormalParams {
-  double reach = 1.4;         // wall neighbours within reach * d form the fan
-  double min_angle = 50.0;    // degrees between two members of a fan, at least
-  double max_gap = 150.0;     // degrees between neighbours in a fan; wider: a rim (3d)
+struct NormalCount {
+  int found = 0, fallback = 0;    // fallback: with the status FLUID
+  // found, but more than 120 degrees from that of a wall particle next to it: one of them is wrong
+  Rows contradictory;
 };
 
-// Writes normal[3*i+a] and status[i] for the owned rows listed (all WALL).
-// role: owned and ghost. d: particle spacing.
-void wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d,
-                  const NormalParams &params, double *normal, std::vector<NormalStatus> &status);
+// normal: 3 per particle, shape: 1 per particle, owned and ghost, on wall particles; zero where
+// not known. Both are set for the owned rows listed (all WALL); neighbours count as they were on
+// entry, so that the order of rows has no influence. status: per owned particle, set on these rows.
+// previous: 3 per owned particle, zero if there is none; or null. Where it is the same as the new
+// normal up to rounding, it is kept to the bit. d: particle spacing.
+NormalCount wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d,
+                         const FanParams &params, const double *previous, double *normal,
+                         double *shape, std::vector<NormalStatus> &status);
+
+// the shape on these rows where the normals are given
+void wall_shapes(const Stencil &s, const Rows &rows, const Role *role, double d,
+                 const FanParams &params, const double *normal, double *shape);
 
 }    // namespace aleisph
 #endif

@@ -8,15 +8,16 @@
 
 #include "aleisph_normals.h"
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_aleisph.h"
 #include "group.h"
 #include "input.h"
 #include "update.h"
 #include "utils.h"
 #include "variable.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -29,13 +30,14 @@ constexpr double UNIT_TOLERANCE = 1.0e-5;
 
 FixAleisphWall::FixAleisphWall(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), slip_(false), curlcurl_(false), prescribed_(false), owner_(nullptr),
-    version_(-1), from_fluid_(0)
+    searched_(false), warned_(false), fallback_(0), unknown_(0), contradictory_(0), wrong_(0)
 {
   parse(narg, arg);
   nevery = 1;
-  scalar_flag = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = 3;
   global_freq = 1;
-  extscalar = 0;
+  extscalar = extvector = 0;
 }
 
 void FixAleisphWall::parse(int narg, char **arg)
@@ -97,7 +99,8 @@ void FixAleisphWall::init()
   if (slip_) role |= aleisph::SLIP;
   if (curlcurl_) role |= aleisph::CURLCURL;
   owner_->add_role(role, groupbit);
-  version_ = -1;
+  owner_->add_wall(this);
+  searched_ = warned_ = false;
 
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix aleisph/wall: group {} is empty", group->names[igroup]);
@@ -125,7 +128,7 @@ void FixAleisphWall::setup_pre_force(int vflag)
 void FixAleisphWall::pre_force(int)
 {
   if (prescribed_) set_velocity();
-  if (owner_->version() != version_) find_normals();
+  if (searched_) check_normals();
 }
 
 void FixAleisphWall::setup(int)
@@ -162,26 +165,41 @@ void FixAleisphWall::set_velocity()
       for (int a = 0; a < 3; a++) atom->v[i][a] = vw[a];
 }
 
-void FixAleisphWall::find_normals()
+/* ----------------------------------------------------------------------
+   Called by the owner when the walls have moved or a normal is not known,
+   and again as long as it finds some. At the first of these calls no normal
+   of this group is known.
+------------------------------------------------------------------------- */
+
+int FixAleisphWall::find_normals(const aleisph::Stencil &walls)
 {
-  aleisph::Timers::Scope scope(owner_->timers(), aleisph::Part::OPERATORS);
-  if (given_.empty())
-    compute_normals();
-  else
-    copy_given_normals();
-  owner_->forward(owner_->normal(), 3);
-  owner_->tally().wall_passes++;
-  version_ = owner_->version();
+  aleisph::Rows rows;
+  bool first = true;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (is_known(i))
+      first = false;
+    else
+      rows.push_back(i);
+  }
+  if (first) fallback_ = contradictory_ = wrong_ = 0;
+  searched_ = true;
+  return given_.empty() ? compute_normals(walls, rows) : copy_given_normals(walls, rows);
 }
 
-void FixAleisphWall::copy_given_normals()
+bool FixAleisphWall::is_known(int i) const
+{
+  const double *n = owner_->normal() + 3 * i;
+  return n[0] != 0.0 || n[1] != 0.0 || n[2] != 0.0;
+}
+
+int FixAleisphWall::copy_given_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows)
 {
   int flag, cols;
   double **given = atom->darray[atom->find_custom(given_.c_str(), flag, cols)];
   double *normal = owner_->normal();
   tagint bad = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
+  for (const int i : rows) {
     double square = 0.0;
     for (int a = 0; a < 3; a++) {
       normal[3 * i + a] = given[i][a];
@@ -191,23 +209,33 @@ void FixAleisphWall::copy_given_normals()
   }
   if ((bad = owner_->largest(bad)))
     error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", bad);
+  aleisph::wall_shapes(walls, rows, owner_->role(), owner_->spacing(), aleisph::FanParams(), normal,
+                       owner_->wall_shape());
+  return rows.size();
 }
 
-void FixAleisphWall::compute_normals()
+int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows)
 {
-  aleisph::Rows rows;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) rows.push_back(i);
-
+  if (!owner_->has_surface()) require_fluid(walls, rows);
   std::vector<aleisph::NormalStatus> status(atom->nlocal);
-  const auto &disc = owner_->discretization();
-  aleisph::wall_normals(disc.stencil(), rows, owner_->role(), disc.spacing(),
-                        aleisph::NormalParams(), owner_->normal(), status);
+  const aleisph::NormalCount count = aleisph::wall_normals(
+      walls, rows, owner_->role(), owner_->spacing(), aleisph::FanParams(),
+      owner_->previous_normal(), owner_->normal(), owner_->wall_shape(), status);
+  fallback_ += count.fallback;
+  contradictory_ += count.contradictory.size();
+  for (const int i : count.contradictory) wrong_ = atom->tag[i];
+  return count.found;
+}
+
+// Without a free surface there are no dry walls: each has a row in the pressure equation.
+void FixAleisphWall::require_fluid(const aleisph::Stencil &walls, const aleisph::Rows &rows) const
+{
+  const aleisph::Role *role = owner_->role();
   tagint bad = 0;
-  from_fluid_ = 0;
   for (const int i : rows) {
-    if (status[i] == aleisph::NormalStatus::FLUID) from_fluid_++;
-    if (status[i] == aleisph::NormalStatus::UNKNOWN) bad = atom->tag[i];
+    const int *begin = walls.col() + walls.begin(i), *end = walls.col() + walls.end(i);
+    if (std::none_of(begin, end, [role](int j) { return role[j] & aleisph::FLUID; }))
+      bad = atom->tag[i];
   }
   if ((bad = owner_->largest(bad)))
     error->all(FLERR,
@@ -216,10 +244,46 @@ void FixAleisphWall::compute_normals()
                bad);
 }
 
-// wall particles whose normal is the direction to the fluid, for want of wall neighbors
+void FixAleisphWall::check_normals()
+{
+  searched_ = false;
+  unknown_ = 0;
+  tagint bad = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit) || is_known(i)) continue;
+    unknown_++;
+    if (!(owner_->role()[i] & aleisph::DRY)) bad = atom->tag[i];
+  }
+  if ((bad = owner_->largest(bad)))
+    error->all(FLERR,
+               "Fix aleisph/wall: other wall particles hide the fluid from atom {}, so its normal "
+               "is unknown; remove it or use normals given",
+               bad);
+  warn_of_contradictions();
+}
+
+void FixAleisphWall::warn_of_contradictions()
+{
+  const tagint wrong = owner_->largest(wrong_);
+  if (wrong == 0 || warned_) return;
+  warned_ = true;
+  const auto number = static_cast<bigint>(compute_vector(2));
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "Fix aleisph/wall: {} wall particles, among them atom {}, have neighbors whose "
+                   "normal is more than 120 degrees from theirs; look at the normals and use "
+                   "normals given if they are wrong",
+                   number, wrong);
+}
+
 double FixAleisphWall::compute_scalar()
 {
-  double mine = from_fluid_, all;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return compute_vector(0);
+}
+
+double FixAleisphWall::compute_vector(int n)
+{
+  bigint mine[3] = {fallback_, unknown_, contradictory_}, all;
+  MPI_Allreduce(&mine[n], &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   return all;
 }

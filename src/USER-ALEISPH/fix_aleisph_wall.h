@@ -17,13 +17,14 @@ FixStyle(aleisph/wall,FixAleisphWall);
 #define LMP_FIX_ALEISPH_WALL_H
 
 #include "fix.h"
+#include "fix_aleisph.h"
 
 #include <array>
 #include <string>
 
 namespace LAMMPS_NS {
 
-class FixAleisphWall : public Fix {
+class FixAleisphWall : public Fix, public AleisphWall {
  public:
   FixAleisphWall(class LAMMPS *, int, char **);
   int setmask() override;
@@ -33,6 +34,8 @@ class FixAleisphWall : public Fix {
   void pre_force(int) override;
   void end_of_step() override;
   double compute_scalar() override;
+  double compute_vector(int) override;
+  int find_normals(const aleisph::Stencil &walls) override;
 
  private:
   struct Component {
@@ -42,16 +45,23 @@ class FixAleisphWall : public Fix {
 
   void parse(int narg, char **arg);
   void set_velocity();
-  void find_normals();
-  void copy_given_normals();
-  void compute_normals();
+  bool is_known(int i) const;
+  int copy_given_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows);
+  int compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows);
+  void require_fluid(const aleisph::Stencil &walls, const aleisph::Rows &rows) const;
+  void check_normals();
+  void warn_of_contradictions();
 
   bool slip_, curlcurl_, prescribed_;
   std::array<Component, 3> velocity_;
   std::string given_;    // name of the custom property, empty: automatic
-  class FixAleisph *owner_;
-  bigint version_;    // of the positions that the normals belong to
-  int from_fluid_;    // normals of this rank that fell back on the fluid direction
+  FixAleisph *owner_;
+  bool searched_;    // normals were looked for since they were last checked
+  bool warned_;      // in this run
+  // of this rank, at the last search: normals that are not from facets, not known, and at odds
+  // with that of a neighbour; the ID of one of the last
+  bigint fallback_, unknown_, contradictory_;
+  tagint wrong_;
 };
 
 }    // namespace LAMMPS_NS
