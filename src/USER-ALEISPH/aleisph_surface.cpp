@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   u_ij = -e_ij directions to the neighbours. Scratch arrays live as long as
+   one call, so that no particle allocates memory.
+------------------------------------------------------------------------- */
+
+#include "aleisph_surface.h"
+
+#include "aleisph_wall_cone.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace aleisph {
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+
+constexpr double PI = 3.14159265358979323846;
+constexpr double DEGREE = PI / 180.0;
+
+// A gap as wide as what is allowed is no gap, whatever the last bits: on a lattice 90 degrees
+// is frequent.
+constexpr double TIE = 1.0e-9;    // radians
+
+// A colour gradient shorter than this part of the sum of its terms has no direction.
+constexpr double NO_DIRECTION = 1.0e-6;
+
+constexpr int DIRECTIONS = 96;
+using Directions = std::array<Vec3, DIRECTIONS>;
+
+// quasi-uniform on the unit sphere: equal steps in z, azimuth by the golden angle
+const Directions &fibonacci_directions()
+{
+  static const Directions directions = [] {
+    const double golden = PI * (3.0 - std::sqrt(5.0));
+    Directions all;
+    for (int k = 0; k < DIRECTIONS; k++) {
+      const double z = 1.0 - (2.0 * k + 1.0) / DIRECTIONS, s = std::sqrt(1.0 - z * z);
+      all[k] = Vec3(s * std::cos(golden * k), s * std::sin(golden * k), z);
+    }
+    return all;
+  }();
+  return directions;
+}
+
+// Is there a direction around a particle without neighbours?
+class AllRoundTest {
+ public:
+  AllRoundTest(const Stencil &s, double reach, double half_angle) :
+      s_(s), reach_(reach), half_angle_(half_angle), cosine_(std::cos(half_angle)),
+      directions_(fibonacci_directions())
+  {
+  }
+
+  bool open(int i) { return s_.dim() == 2 ? open_2d(i) : open_3d(i); }
+
+ private:
+  bool open_2d(int i)
+  {
+    azimuth_.clear();
+    for (int k = s_.begin(i); k < s_.end(i); k++)
+      if (s_.r()[k] <= reach_) azimuth_.push_back(std::atan2(-s_.e(1)[k], -s_.e(0)[k]));
+    if (azimuth_.empty()) return true;
+    std::sort(azimuth_.begin(), azimuth_.end());
+    double widest = azimuth_.front() + 2.0 * PI - azimuth_.back();
+    for (size_t m = 1; m < azimuth_.size(); m++)
+      widest = std::max(widest, azimuth_[m] - azimuth_[m - 1]);
+    return widest > 2.0 * half_angle_ + TIE;
+  }
+
+  bool open_3d(int i)
+  {
+    near_.clear();
+    for (int k = s_.begin(i); k < s_.end(i); k++)
+      if (s_.r()[k] <= reach_) near_.emplace_back(-s_.e(0)[k], -s_.e(1)[k], -s_.e(2)[k]);
+    return std::any_of(directions_.begin(), directions_.end(), [this](const Vec3 &direction) {
+      return std::none_of(near_.begin(), near_.end(),
+                          [this, &direction](const Vec3 &u) { return u.dot(direction) > cosine_; });
+    });
+  }
+
+  const Stencil &s_;
+  const double reach_, half_angle_, cosine_;
+  const Directions &directions_;
+  std::vector<double> azimuth_;
+  std::vector<Vec3> near_;
+};
+
+class SurfaceNormal {
+ public:
+  SurfaceNormal(const Stencil &s, const Role *role, double wall_reach) :
+      s_(s), role_(role), wall_reach_(wall_reach)
+  {
+  }
+
+  // zero if there is no direction
+  Vec3 at(int i, const double *normal)
+  {
+    Vec3 N = Vec3::Zero();
+    double weight = 0.0;
+    walls_.clear();
+    for (int k = s_.begin(i); k < s_.end(i); k++) {
+      const int j = s_.col()[k];
+      for (int a = 0; a < s_.dim(); a++) N[a] -= s_.dw()[k] * s_.e(a)[k];
+      weight -= s_.dw()[k];
+      if ((role_[j] & WALL) && s_.r()[k] <= wall_reach_)
+        walls_.push_back(Eigen::Map<const Vec3>(normal + 3 * j));
+    }
+    N = without_parts_into_walls(N, walls_);
+    return N.norm() > NO_DIRECTION * weight ? N.normalized() : Vec3::Zero();
+  }
+
+ private:
+  const Stencil &s_;
+  const Role *role_;
+  const double wall_reach_;
+  std::vector<Vec3> walls_;    // normals of the walls near the particle
+};
+
+int fluid_neighbours(const Stencil &s, const Role *role, int i)
+{
+  return static_cast<int>(std::count_if(s.col() + s.begin(i), s.col() + s.end(i),
+                                        [role](int j) { return (role[j] & FLUID) != 0; }));
+}
+
+}    // namespace
+
+SurfaceCount detect_surface(const Stencil &s, const GradientWeights &g, const Rows &fluid, double d,
+                            const SurfaceParams &params, Role *role, double *normal)
+{
+  const int least = params.min_neighbours > 0 ? params.min_neighbours : s.dim() + 1;
+  AllRoundTest test(s, params.reach * d, params.half_angle * DEGREE);
+  SurfaceNormal outward(s, role, params.wall_reach * d);
+  SurfaceCount count;
+  for (int i : fluid) {
+    const bool ballistic = fluid_neighbours(s, role, i) < least;
+    const bool surface = ballistic || (g.lambda(i) < params.max_lambda && test.open(i));
+    if (ballistic) role[i] |= BALLISTIC;
+    if (surface) role[i] |= SURFACE;
+    count.ballistic += ballistic;
+    count.surface += surface;
+    Eigen::Map<Vec3>(normal + 3 * i) = surface ? outward.at(i, normal) : Vec3(Vec3::Zero());
+  }
+  return count;
+}
+
+}    // namespace aleisph

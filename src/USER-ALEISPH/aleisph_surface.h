@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Free-surface detection by an all-round test: a fluid particle is on the
+   surface if some direction is empty, that is if
+     2d   the widest angular gap between neighbours within reach * d exceeds
+          2 * half_angle,
+     3d   one of 96 directions (Fibonacci points on the sphere) has no
+          neighbour within reach * d closer to it than half_angle,
+   and the smallest eigenvalue of its moments is below max_lambda; or if it
+   has fewer than min_neighbours fluid neighbours in the stencil, which makes
+   it ballistic. Neighbours are fluid and wall particles alike: a stencil
+   without dry wall particles is what makes this right at contact lines.
+   In 3d an open cone is always seen from a half angle of half_angle + 15
+   degrees on, the resolution of the 96 directions.
+
+   The outward normal N is that of the colour gradient, -sum V gradW, without
+   the components that point into walls within wall_reach * d, normalised:
+   the vector nearest to the gradient among those with N.n >= 0 for the
+   normals n of all these walls.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_SURFACE_H
+#define LMP_ALEISPH_SURFACE_H
+
+#include "aleisph_operators.h"
+
+namespace aleisph {
+
+struct SurfaceParams {
+  double half_angle = 45.0;    // degrees; 60 misses surface particles, which is fatal
+  double reach = 2.0;          // in spacings
+  double max_lambda = 0.75;    // 1: all but compressed particles are scanned
+  int min_neighbours = 0;      // 0: dim + 1
+  double wall_reach = 1.7;     // in spacings; >= support - d: nearer ones lack what is behind it
+};
+
+struct SurfaceCount {
+  int surface = 0, ballistic = 0;    // ballistic particles are counted in both
+};
+
+// Adds SURFACE and BALLISTIC to role[i] of the owned fluid rows listed (the caller clears them
+// before) and writes their normal: N where SURFACE (zero if it has no direction), zero elsewhere.
+// role: owned and ghost, read for FLUID and WALL; normal: 3 per particle, read on walls.
+SurfaceCount detect_surface(const Stencil &s, const GradientWeights &g, const Rows &fluid, double d,
+                            const SurfaceParams &params, Role *role, double *normal);
+
+}    // namespace aleisph
+#endif

@@ -1,0 +1,122 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_surface.h"
+
+#include "error.h"
+#include "group.h"
+#include "modify.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+
+FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), owner_(nullptr), version_(-1)
+{
+  surface_.present = true;
+  parse(narg, arg);
+  vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extvector = 0;
+}
+
+void FixAleisphSurface::parse(int narg, char **arg)
+{
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/surface " + key, error);
+    const std::string value = arg[iarg + 1];
+    const auto number = [&](double low, double high) {
+      const double x = utils::numeric(FLERR, value, false, lmp);
+      if (!(x >= low) || !(x <= high))
+        error->all(FLERR, "Fix aleisph/surface: {} must lie between {} and {}, not {}", key, low,
+                   high, value);
+      return x;
+    };
+    if (key == "row") {
+      if (value != "half" && value != "centre")
+        error->all(FLERR, "Fix aleisph/surface: row must be half or centre, not {}", value);
+      surface_.offset = value == "half" ? 0.5 : 0.0;
+    } else if (key == "lambda") {
+      params_.max_lambda = number(0.0, 1.0);
+    } else if (key == "angle") {
+      params_.half_angle = number(20.0, 90.0);
+    } else if (key == "reach") {
+      params_.reach = number(1.0, 3.0);
+    } else if (key == "pressure") {
+      surface_.pressure = utils::numeric(FLERR, value, false, lmp);
+      if (!std::isfinite(surface_.pressure))
+        error->all(FLERR, "Fix aleisph/surface: pressure must be finite, not {}", value);
+    } else if (key == "floor") {
+      surface_.floor = number(0.0, 0.5);
+    } else if (key == "dry") {
+      surface_.dry_reach = value == "no" ? 0.0 : number(1.0, 2.0);
+    } else
+      error->all(FLERR, "Fix aleisph/surface: unknown keyword {}", key);
+  }
+}
+
+int FixAleisphSurface::setmask()
+{
+  return PRE_FORCE;
+}
+
+void FixAleisphSurface::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
+  if (modify->get_fix_by_style("^aleisph/surface$").size() > 1)
+    error->all(FLERR, "Fix aleisph/surface: there must be only one");
+  const auto predictors = modify->get_fix_by_style("^aleisph/predictor$");
+  if (!predictors.empty() && predictors[0]->igroup != igroup)
+    error->all(FLERR, "Fix aleisph/surface: group must be that of fix {}, {}", predictors[0]->id,
+               group->names[predictors[0]->igroup]);
+  owner_->set_surface(surface_);
+  const double support = owner_->discretization().kernel().support() / owner_->spacing();
+  params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
+  version_ = -1;
+}
+
+void FixAleisphSurface::setup_pre_force(int vflag)
+{
+  pre_force(vflag);
+}
+
+void FixAleisphSurface::pre_force(int)
+{
+  if (owner_->version() != version_) detect();
+}
+
+void FixAleisphSurface::detect()
+{
+  auto &disc = owner_->discretization();
+  const auto &gradient = disc.gradient();
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
+  count_ = aleisph::detect_surface(disc.stencil(), gradient, disc.fluid(), disc.spacing(), params_,
+                                   owner_->surface_role(), owner_->normal());
+  owner_->forward_roles();
+  owner_->forward(owner_->normal(), 3);
+  version_ = owner_->version();
+}
+
+// particles on the surface, ballistic ones, dry wall particles, clamped inverses, PPE surface rows
+double FixAleisphSurface::compute_vector(int n)
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
+  if (!owner_->ready()) return 0.0;
+  switch (n) {
+    case 0: return owner_->sum(count_.surface);
+    case 1: return owner_->sum(count_.ballistic);
+    case 2: return owner_->sum(owner_->dry_walls());
+    case 3: return owner_->sum(owner_->discretization().gradient().clamped());
+    default: return owner_->sum(owner_->tally().surface_rows);
+  }
+}

@@ -1,0 +1,48 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Free surface: which fluid particles are on it, its outward normals, and
+   what the pressure equation, the inverse moments and dry walls make of it.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/surface,FixAleisphSurface);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_SURFACE_H
+#define LMP_FIX_ALEISPH_SURFACE_H
+
+#include "aleisph_surface.h"
+#include "fix.h"
+#include "fix_aleisph.h"
+
+namespace LAMMPS_NS {
+
+class FixAleisphSurface : public Fix {
+ public:
+  FixAleisphSurface(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+  double compute_vector(int) override;
+
+ private:
+  void parse(int narg, char **arg);
+  void detect();
+
+  aleisph::SurfaceParams params_;
+  AleisphSurface surface_;
+  FixAleisph *owner_;
+  bigint version_;    // of the positions that the flags belong to
+  aleisph::SurfaceCount count_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
