@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Each model is a class with one member: the displacement of particle i
+   before the limit. w = V W_ij; sums are over all neighbours of the row,
+   fluid and wall.
+------------------------------------------------------------------------- */
+
+#include "aleisph_shift.h"
+
+#include "aleisph_images.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace aleisph {
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+inline Vec at(const double *field, int i)
+{
+  return Vec(field[3 * i], field[3 * i + 1], field[3 * i + 2]);
+}
+
+inline void put(const Vec &v, double *field, int i)
+{
+  for (int a = 0; a < 3; a++) field[3 * i + a] = v[a];
+}
+
+inline Vec direction(const Stencil &s, int k)
+{
+  return Vec(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
+}
+
+inline Vec tangential(const Vec &v, const Vec &n)
+{
+  return v - v.dot(n) * n;
+}
+
+// takes part in the motion: neither a wall nor a buffer, and not flying freely
+inline bool bound_fluid(Role r)
+{
+  return (r & FLUID) && !(r & (WALL | BUFFER | BALLISTIC));
+}
+
+struct Scene {
+  const Stencil &s;
+  const Kernel &kernel;
+  const Role *role;
+  const double *normal;
+  double volume, d;
+  const ShiftParams &params;
+
+  bool on_surface(int i) const { return role[i] & SURFACE; }
+};
+
+/* ---------------------------------------------------------------------- */
+
+class DensityShift {
+ public:
+  DensityShift(const Scene &scene, const double *eps) :
+      c_(scene), eps_(eps), reach_(nearest_reach(scene.s.dim(), scene.d))
+  {
+  }
+
+  Vec operator()(int i) const
+  {
+    Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
+    if (!c_.params.published && c_.on_surface(i)) dr += smooth(i);
+    return dr;
+  }
+
+ private:
+  // eps_i + eps_j; the deviation of a particle that is not in the fluid is not known (a raw wall
+  // density would draw the fluid into the wall), it is that of i
+  double pair(int i, int j) const
+  {
+    const bool known = (c_.role[j] & FLUID) && !(c_.role[j] & (WALL | BUFFER));
+    const double q = eps_[i] + (known ? eps_[j] : eps_[i]);
+    const bool surface = c_.on_surface(i) || c_.on_surface(j);
+    return surface && c_.params.positive_surface ? std::max(q, 0.0) : q;
+  }
+
+  // dr_w + dr_dens over S*
+  Vec spread(int i) const
+  {
+    const Stencil &s = c_.s;
+    Vec even = Vec::Zero(), density = Vec::Zero();
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      if (!(s.r()[k] < reach_)) continue;
+      const Vec e = direction(s, k);
+      even += c_.volume * c_.kernel.w(s.r()[k]) * e;
+      density += pair(i, s.col()[k]) * e;
+    }
+    if (c_.on_surface(i)) even = tangential(even, at(c_.normal, i));
+    return even + density;
+  }
+
+  // b_i N_i: towards the mean height of the surface neighbours
+  Vec smooth(int i) const
+  {
+    const Stencil &s = c_.s;
+    const Vec N = at(c_.normal, i);
+    double sum = 0.0, weights = 0.0;
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      const int j = s.col()[k];
+      if (!c_.on_surface(j) || !bound_fluid(c_.role[j])) continue;
+      const Vec Nj = at(c_.normal, j);
+      if (!(N.dot(Nj) > 0.3)) continue;
+      const double w = c_.kernel.w(s.r()[k]);
+      sum -= 0.5 * w * s.r()[k] * direction(s, k).dot(N + Nj);
+      weights += w;
+    }
+    return weights > 0.0 ? Vec(c_.params.smoothing * sum / weights * N) : Vec(Vec::Zero());
+  }
+
+  const Scene &c_;
+  const double *eps_;
+  double reach_;
+};
+
+/* ---------------------------------------------------------------------- */
+
+class ConcentrationShift {
+ public:
+  ConcentrationShift(const Scene &scene, const double *v) :
+      c_(scene), v_(v),
+      images_(scene.s, scene.role, scene.normal, scene.d, scene.kernel.support(), false),
+      diffusion_(scene.params.coefficient * scene.kernel.h() * scene.kernel.h()),
+      w_d_(scene.kernel.w(scene.d)), reach_(nearest_reach(scene.s.dim(), scene.d))
+  {
+  }
+
+  Vec operator()(int i)
+  {
+    Vec dr = -diffusion_ * gradient(i);
+    if (c_.on_surface(i))
+      dr = tangential(dr, at(c_.normal, i));
+    else if (c_.params.model == ShiftModel::OPS)
+      dr = tangential(dr, normal_above(i));
+    return c_.params.model == ShiftModel::TVF ? bounded(dr, i) : dr;
+  }
+
+ private:
+  // dW/dr of the concentration, with the term against pairing
+  double weight(double r, double dw) const
+  {
+    const double ratio = c_.kernel.w(r) / w_d_, square = ratio * ratio;
+    return (1.0 + 0.2 * square * square) * dw;
+  }
+
+  Vec gradient(int i)
+  {
+    const Stencil &s = c_.s;
+    Vec sum = Vec::Zero();
+    for (int k = s.begin(i); k < s.end(i); k++)
+      sum += weight(s.r()[k], s.dw()[k]) * direction(s, k);
+    for (const Vec &r : images_.of(i)) {
+      const double length = r.norm();
+      sum += weight(length, c_.kernel.dw(length)) / length * r;
+    }
+    return c_.volume * sum;
+  }
+
+  // the mean normal of the surface next to i, zero if there is none or they oppose each other
+  Vec normal_above(int i) const
+  {
+    const Stencil &s = c_.s;
+    Vec sum = Vec::Zero();
+    int count = 0;
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      const int j = s.col()[k];
+      if (!(s.r()[k] < reach_) || !c_.on_surface(j) || !bound_fluid(c_.role[j])) continue;
+      sum += at(c_.normal, j);
+      count++;
+    }
+    return sum.norm() > 0.3 * count ? Vec(sum.normalized()) : Vec(Vec::Zero());
+  }
+
+  Vec bounded(const Vec &dr, int i) const
+  {
+    const double most = 0.25 * at(v_, i).norm() * c_.params.dt, length = dr.norm();
+    return length > most ? Vec(most / length * dr) : dr;
+  }
+
+  const Scene &c_;
+  const double *v_;
+  Images images_;
+  double diffusion_, w_d_, reach_;
+};
+
+/* ---------------------------------------------------------------------- */
+
+template <class Model>
+ShiftCount shift_rows(const Scene &c, const Rows &fluid, Model model, double *dr)
+{
+  const double most = c.params.limit * c.d;
+  ShiftCount count;
+  for (const int i : fluid) {
+    Vec step = Vec::Zero();
+    if (!(c.role[i] & BALLISTIC)) step = model(i);
+    const double length = step.norm();
+    if (length > most) {
+      step *= most / length;
+      count.limited++;
+    }
+    put(step, dr, i);
+  }
+  return count;
+}
+
+inline Vec apply(const double *gradient, const Vec &r)
+{
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(gradient) * r;
+}
+
+}    // namespace
+
+ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &fluid,
+                         const Role *role, const double *normal, const double *eps, const double *v,
+                         double volume, double d, const ShiftParams &params, double *dr)
+{
+  const Scene scene = {s, kernel, role, normal, volume, d, params};
+  if (params.model == ShiftModel::DENSITY)
+    return shift_rows(scene, fluid, DensityShift(scene, eps), dr);
+  return shift_rows(scene, fluid, ConcentrationShift(scene, v), dr);
+}
+
+void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid,
+                             const Role *role, const double *v, const double *grad_v, double volume,
+                             double *out)
+{
+  for (const int i : fluid) {
+    Vec sum = Vec::Zero();
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      const int j = s.col()[k];
+      if (!bound_fluid(role[i]) || !bound_fluid(role[j])) continue;
+      if (!((role[i] | role[j]) & SURFACE)) continue;
+      const Vec half = 0.5 * s.r()[k] * direction(s, k);
+      const Vec linear = apply(grad_v + 9 * i, half) + apply(grad_v + 9 * j, half);
+      sum += volume * kernel.w(s.r()[k]) * (at(v, j) - at(v, i) + linear);
+    }
+    put(sum, out, i);
+  }
+}
+
+}    // namespace aleisph

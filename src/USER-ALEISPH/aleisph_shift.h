@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Particle shifting. dr_i [length] is the displacement of fluid particle i
+   in this step beyond v dt. Sums run over all neighbours, fluid and wall.
+
+   density  Morikawa, Tsuji & Asai eqs 19-24,
+              rho*_i = beta sum_j V W_ij (self included),
+              dr = C h (dr_w + dr_dens),
+              dr_w = sum_{S*} V W_ij e_ij, without its normal part on the surface,
+              dr_dens = sum_{S*} (eps_i + eps_j) e_ij,   S*: |r_ij| < 1.1 sqrt(dim) d
+            published: rho* is summed over S* and eps = rho* - 1 everywhere.
+            accurate: rho* is summed over the full support; eps = rho* - flat on the surface,
+            with the value on a flat surface; a position filter smooths the surface:
+              dr += smoothing * b_i N_i,
+              b_i = sum_j w r_ji.(N_i + N_j)/2 / sum_j w over surface neighbours with
+              N_i.N_j > 0.3 that are not ballistic, w = V W_ij
+   fickian  Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012) 1499:
+            dr = -D grad C, grad C = sum_j V (1 + 0.2 (W_ij/W(d))^4) gradW_ij,
+            on the surface only the tangential part; D = C h^2
+   ops      Khayyer, Gotoh & Shimizu, J. Comput. Phys. 332 (2017) 236: fickian, its normal part
+            removed on the surface and on particles with surface neighbours within S*, where the
+            normal is the mean of theirs (none if they oppose each other, |mean N| < 0.3)
+   tvf      Oger, Marrone, Le Touze & de Leffe, J. Comput. Phys. 313 (2016) 76: fickian as a
+            transport velocity, |dr| <= 0.25 |v| dt
+
+   The full-support sums (accurate density; grad C) include images of the
+   wall particles, since walls are a single layer, and the density also
+   images of the surface; see aleisph_images.h. On a lattice at h = 1.2 d
+   eps then vanishes to rounding in the bulk, next to walls, on convex edges
+   (2e-5 off their ends in 3d) and in all rows of a flat surface. In concave
+   corners it is -4.0e-4 (2d; 3d: -2.3e-4 along edges, -7.0e-4 in corners):
+   lattice points at sqrt(5) d that no image stands for. Without images it would be -3.3e-3
+   (2d), -2.2e-3 (3d) beside every wall and below every surface. With wider
+   kernels more is missing in concave corners: -1e-2 at a support of 3 d or
+   more. The published sum over S* needs no images.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_SHIFT_H
+#define LMP_ALEISPH_SHIFT_H
+
+#include "aleisph_operators.h"
+
+namespace aleisph {
+
+enum class ShiftModel { DENSITY, OPS, FICKIAN, TVF };
+
+struct ShiftParams {
+  ShiftModel model = ShiftModel::DENSITY;
+  bool published = false;           // density model as printed
+  bool positive_surface = false;    // pairs with a surface member: max(eps_i + eps_j, 0)
+  double coefficient = 0.0;         // C, of this step
+  double smoothing = 0.0;           // of the surface positions, of this step; accurate density only
+  double limit = 0.1;               // |dr| <= limit * d
+  double dt = 0.0;                  // tvf: |dr| <= 0.25 |v| dt
+};
+
+struct ShiftCount {
+  int limited = 0;    // particles that met limit * d; tvf's own bound is not counted
+};
+
+// beta such that beta sum_lattice V W = 1, and the value of beta sum V W on the outermost row of
+// a half lattice, both over |r| < reach
+struct DensityScale {
+  double beta, flat;
+};
+DensityScale density_scale(const Kernel &kernel, double d, double reach);
+
+// |r_ij| < this: the nearest neighbours S*
+double nearest_reach(int dim, double d);
+
+// eps_i of the owned fluid rows listed; eps of other particles is not written. role, normal: owned
+// and ghost.
+void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
+                       const double *normal, double volume, double d, bool published, double *eps);
+
+// dr of the owned fluid rows listed (3 per particle); zero on ballistic ones, which count as
+// neighbours all the same. A wall or buffer neighbour has the deviation of the particle itself:
+// its own would draw the fluid into the wall. eps, normal, role: owned and ghost; eps is read by
+// the density model only, v (owned) by tvf only; what is not read may be null.
+ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &fluid,
+                         const Role *role, const double *normal, const double *eps, const double *v,
+                         double volume, double d, const ShiftParams &params, double *dr);
+
+// The velocity filter of the accurate density model: acceleration-like sum
+//   out_i = sum_j V W_ij (v_j - v_i + (grad v_i + grad v_j).r_ij/2)
+// over fluid pairs with a member on the surface and none ballistic. It conserves momentum, and
+// vanishes where v is linear (quadratic, if grad_v is exact). The caller scales it.
+// grad_v[9*i+3*a+b] = d v_a/d x_b, owned and ghost. out is written on the rows listed.
+void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid,
+                             const Role *role, const double *v, const double *grad_v, double volume,
+                             double *out);
+
+}    // namespace aleisph
+#endif

@@ -1,0 +1,299 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_shift.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+using aleisph::ShiftModel;
+
+namespace {
+
+constexpr char SHIFT[] = "aleisph_u";
+
+// rates of the density model, per U dt/d
+constexpr double RATE_ACCURATE = 0.3, RATE_PUBLISHED = 0.1;
+constexpr double SMOOTHING = 1.5, MAX_SMOOTHING = 0.5;    // a share per step above 1/2 overshoots
+constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
+// Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
+constexpr double RATE_FICKIAN = 2.0;
+
+}    // namespace
+
+FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), rate_(-1.0), step_(-1.0), smoothing_(-1.0), filter_(-1.0), velocity_(-1.0),
+    owner_(nullptr), started_(false), coefficient_(0.0), limited_total_(0.0), limited_(0)
+{
+  parse(narg, arg);
+  restart_global = 1;
+  vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extvector = 0;
+}
+
+void FixAleisphShift::parse(int narg, char **arg)
+{
+  if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/shift", error);
+  const std::string model = arg[3];
+  if (model == "density")
+    params_.model = ShiftModel::DENSITY;
+  else if (model == "ops")
+    params_.model = ShiftModel::OPS;
+  else if (model == "fickian")
+    params_.model = ShiftModel::FICKIAN;
+  else if (model == "tvf")
+    params_.model = ShiftModel::TVF;
+  else
+    error->all(FLERR, "Fix aleisph/shift: model must be density, ops, fickian or tvf, not {}",
+               model);
+
+  std::set<std::string> words;
+  for (int iarg = 4; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    words.insert(key);
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/shift " + key, error);
+    const std::string value = arg[iarg + 1];
+    const auto positive = [&]() {
+      const double x = utils::numeric(FLERR, value, false, lmp);
+      if (!(x >= 0.0) || !std::isfinite(x))
+        error->all(FLERR, "Fix aleisph/shift: {} must not be negative, it is {}", key, value);
+      return x;
+    };
+    if (key == "variant") {
+      if (value != "accurate" && value != "published")
+        error->all(FLERR, "Fix aleisph/shift: variant must be accurate or published, not {}",
+                   value);
+      params_.published = value == "published";
+    } else if (key == "rate") {
+      rate_ = positive();
+    } else if (key == "step") {
+      step_ = positive();
+    } else if (key == "velocity") {
+      velocity_ = -1.0;
+      variable_.clear();
+      if (utils::strmatch(value, "^v_"))
+        variable_ = value.substr(2);
+      else if (value != "max")
+        velocity_ = positive();
+    } else if (key == "surface") {
+      if (value != "full" && value != "positive")
+        error->all(FLERR, "Fix aleisph/shift: surface must be full or positive, not {}", value);
+      params_.positive_surface = value == "positive";
+    } else if (key == "smoothing") {
+      smoothing_ = positive();
+    } else if (key == "filter") {
+      filter_ = positive();
+    } else if (key == "limit") {
+      params_.limit = positive();
+    } else
+      error->all(FLERR, "Fix aleisph/shift: unknown keyword {}", key);
+  }
+  check_keywords(words);
+  const bool accurate = params_.model == ShiftModel::DENSITY && !params_.published;
+  if (rate_ < 0.0) {
+    rate_ = accurate ? RATE_ACCURATE : RATE_PUBLISHED;
+    if (params_.model != ShiftModel::DENSITY) rate_ = RATE_FICKIAN;
+  }
+  if (smoothing_ < 0.0) smoothing_ = accurate ? SMOOTHING : 0.0;
+  if (filter_ < 0.0) filter_ = accurate ? FILTER : 0.0;
+}
+
+// what would have no effect is not taken silently
+void FixAleisphShift::check_keywords(const std::set<std::string> &words) const
+{
+  const bool density = params_.model == ShiftModel::DENSITY;
+  for (const char *key : {"variant", "surface"})
+    if (words.count(key) && !density)
+      error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density", key);
+  for (const char *key : {"smoothing", "filter"})
+    if (words.count(key) && (!density || params_.published))
+      error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density, variant accurate", key);
+  if (words.count("rate") && words.count("step"))
+    error->all(FLERR, "Fix aleisph/shift: use either keyword rate or keyword step");
+}
+
+int FixAleisphShift::setmask()
+{
+  return FINAL_INTEGRATE;
+}
+
+void FixAleisphShift::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/shift");
+  if (modify->get_fix_by_style("^aleisph/shift$").size() > 1)
+    error->all(FLERR, "Fix aleisph/shift: there must be only one");
+  const auto predictors = modify->get_fix_by_style("^aleisph/predictor$");
+  if (!predictors.empty() && predictors[0]->igroup != igroup)
+    error->all(FLERR, "Fix aleisph/shift: group must be that of fix {}, {}", predictors[0]->id,
+               group->names[predictors[0]->igroup]);
+  int flag, cols;
+  if (atom->find_custom(SHIFT, flag, cols) < 0)
+    error->all(FLERR, "Fix aleisph/shift needs frame ale in fix aleisph/predictor");
+  if (!variable_.empty()) {
+    const int ivar = input->variable->find(variable_.c_str());
+    if (ivar < 0 || !input->variable->equalstyle(ivar))
+      error->all(FLERR, "Fix aleisph/shift: {} is not an equal-style variable", variable_);
+  }
+  if (filter_ > 0.0 && owner_->has_surface()) owner_->add_acceleration(this);
+}
+
+// A run that goes on keeps the shift that its last step left.
+void FixAleisphShift::setup(int)
+{
+  if (!started_) shift();
+}
+
+void FixAleisphShift::final_integrate()
+{
+  shift();
+}
+
+double FixAleisphShift::dt_over_d() const
+{
+  return update->dt / owner_->spacing();
+}
+
+double FixAleisphShift::largest_speed() const
+{
+  const double *v = owner_->velocity();
+  double mine = 0.0, all;
+  for (const int i : owner_->discretization().fluid())
+    mine = std::max(
+        mine, v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2]);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return std::sqrt(all);
+}
+
+// U
+double FixAleisphShift::velocity_scale()
+{
+  if (variable_.empty()) return velocity_ >= 0.0 ? velocity_ : largest_speed();
+  const double value = input->variable->compute_equal(input->variable->find(variable_.c_str()));
+  if (!(value >= 0.0) || !std::isfinite(value))
+    error->all(FLERR, "Fix aleisph/shift: variable {} must not be negative, it is {} at step {}",
+               variable_, value, update->ntimestep);
+  return value;
+}
+
+void FixAleisphShift::shift()
+{
+  auto &disc = owner_->discretization();
+  const auto &s = disc.stencil();
+  double *v = owner_->velocity();
+  owner_->forward(v, 3);
+
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
+  const double scale = velocity_scale() * dt_over_d();
+  params_.coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate_ * scale;
+  params_.smoothing = std::min(smoothing_ * scale, MAX_SMOOTHING);
+  params_.dt = update->dt;
+  if (params_.model == ShiftModel::DENSITY) {
+    eps_.assign(owner_->nall(), 0.0);
+    aleisph::density_deviation(s, disc.kernel(), disc.fluid(), owner_->role(), owner_->normal(),
+                               disc.volume(), disc.spacing(), params_.published, eps_.data());
+    owner_->forward(eps_.data(), 1);
+  }
+  dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+  const auto count = aleisph::compute_shift(s, disc.kernel(), disc.fluid(), owner_->role(),
+                                            owner_->normal(), eps_.data(), v, disc.volume(),
+                                            disc.spacing(), params_, dr_.data());
+  limited_ = count.limited;
+  limited_total_ += count.limited;
+
+  double *u = owner_->custom(SHIFT);
+  for (const int i : disc.fluid())
+    for (int a = 0; a < 3; a++) u[3 * i + a] = dr_[3 * i + a] / update->dt;
+  owner_->require_finite(dr_.data(), "Fix aleisph/shift", "shift");
+  started_ = true;
+}
+
+/* ----------------------------------------------------------------------
+   The velocity filter acts on v* of this step: as an acceleration it is
+   min(filter U dt/d, 1)/dt times the sum over pairs.
+------------------------------------------------------------------------- */
+
+void FixAleisphShift::add_acceleration(double *a)
+{
+  const double share = std::min(per_step(filter_), MAX_FILTER);
+  auto &disc = owner_->discretization();
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
+  const std::size_t nall = owner_->nall();
+  grad_v_.assign(9 * nall, 0.0);
+  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->velocity(),
+                             owner_->role(), owner_->normal(), grad_v_.data());
+  owner_->forward(grad_v_.data(), 9);
+  work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+  aleisph::surface_velocity_filter(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
+                                   owner_->velocity(), grad_v_.data(), disc.volume(), work_.data());
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphShift::write_restart(FILE *fp)
+{
+  double total;
+  MPI_Reduce(&limited_total_, &total, 1, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me) return;
+  const double state[2] = {static_cast<double>(started_), total};
+  const int size = sizeof(state);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(state, sizeof(state), 1, fp);
+}
+
+void FixAleisphShift::restart(char *buf)
+{
+  const double *state = reinterpret_cast<double *>(buf);
+  started_ = state[0] != 0.0;
+  limited_total_ = comm->me == 0 ? state[1] : 0.0;
+}
+
+// C, shifts limited in this step and in all, largest |dr|/d, mean density deviation
+double FixAleisphShift::compute_vector(int n)
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/shift");
+  if (!owner_->ready()) return 0.0;
+  const auto &fluid = owner_->discretization().fluid();
+  double mine = 0.0, all;
+  switch (n) {
+    case 0: return coefficient_;
+    case 1: return owner_->sum(limited_);
+    case 2: return owner_->sum(std::lround(limited_total_));
+    case 3:
+      for (const int i : fluid)
+        if (3 * static_cast<std::size_t>(i) < dr_.size())
+          mine = std::max(mine, std::hypot(dr_[3 * i], dr_[3 * i + 1], dr_[3 * i + 2]));
+      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+      return all / owner_->spacing();
+    default:
+      for (const int i : fluid)
+        if (static_cast<std::size_t>(i) < eps_.size()) mine += eps_[i];
+      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+      return all / std::max(1L, owner_->sum(fluid.size()));
+  }
+}
+
+double FixAleisphShift::memory_usage()
+{
+  return sizeof(double) * (eps_.size() + dr_.size() + grad_v_.size() + work_.size());
+}

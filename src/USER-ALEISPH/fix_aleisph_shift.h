@@ -1,0 +1,68 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Particle shifting (Morikawa, Tsuji & Asai, eqs 7, 19-25, and others to
+   compare with). The shift dr of a step becomes the velocity dr/dt by which
+   particles move relative to the fluid in the step after it; the predictor
+   of frame ale moves them and adds dr/dt.grad v.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/shift,FixAleisphShift);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_SHIFT_H
+#define LMP_FIX_ALEISPH_SHIFT_H
+
+#include "aleisph_shift.h"
+#include "fix.h"
+#include "fix_aleisph.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixAleisphShift : public Fix, private AleisphAcceleration {
+ public:
+  FixAleisphShift(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void final_integrate() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  void parse(int narg, char **arg);
+  void check_keywords(const std::set<std::string> &words) const;
+  void add_acceleration(double *a) override;
+  void shift();
+  double velocity_scale();
+  double largest_speed() const;
+  double per_step(double rate) { return rate * velocity_scale() * dt_over_d(); }
+  double dt_over_d() const;
+
+  aleisph::ShiftParams params_;
+  double rate_, step_;           // C = rate U dt/d, or step if that is not negative
+  double smoothing_, filter_;    // rates, < 0: the variant's own
+  double velocity_;              // U if given as a number
+  std::string variable_;         // or its name
+  FixAleisph *owner_;
+  bool started_;    // d2_aleisph_u has been set, now or before a restart
+  double coefficient_, limited_total_;
+  int limited_;
+  std::vector<double> eps_, dr_, grad_v_, work_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
