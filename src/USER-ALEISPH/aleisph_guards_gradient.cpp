@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   The guards that act on the pressure gradient. V gradW_ij = w e_ij with
+   w = V dW/dr, so that g_ji = V L_j gradW_ji = -w L_j e_ij and
+   -g_ij.g_ji = w g_ij.L_j e_ij.
+------------------------------------------------------------------------- */
+
+#include "aleisph_guards.h"
+#include "aleisph_wall_cone.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace aleisph {
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+
+inline Vec3 at(const double *v, int j)
+{
+  return Vec3(v[3 * j], v[3 * j + 1], v[3 * j + 2]);
+}
+
+inline Vec3 direction(const Stencil &s, int k)
+{
+  Vec3 e = Vec3::Zero();
+  for (int a = 0; a < s.dim(); a++) e[a] = s.e(a)[k];
+  return e;
+}
+
+inline Vec3 weight(const GradientWeights &g, int dim, int k)
+{
+  Vec3 g_ij = Vec3::Zero();
+  for (int a = 0; a < dim; a++) g_ij[a] = g.g(a)[k];
+  return g_ij;
+}
+
+bool near_surface(const Stencil &s, const Role *role, int i, double reach)
+{
+  for (int k = s.begin(i); k < s.end(i); k++)
+    if ((role[s.col()[k]] & SURFACE) && s.r()[k] < reach) return true;
+  return false;
+}
+
+Vec3 sum_of_weights(const Stencil &s, const GradientWeights &g, int i)
+{
+  Vec3 sum = Vec3::Zero();
+  for (int k = s.begin(i); k < s.end(i); k++) sum += weight(g, s.dim(), k);
+  return sum;
+}
+
+// L_j e
+Vec3 times_inverse(const double *inverse, int j, const Vec3 &e)
+{
+  const double *L = inverse + 6 * j;    // xx yy zz xy xz yz
+  return Vec3(L[0] * e[0] + L[3] * e[1] + L[4] * e[2], L[3] * e[0] + L[1] * e[1] + L[5] * e[2],
+              L[4] * e[0] + L[5] * e[1] + L[2] * e[2]);
+}
+
+// P_i
+double divergence_of_gradient(const Stencil &s, const GradientWeights &g, const Role *role,
+                              const double *inverse, double volume, int i)
+{
+  double sum = 0.0;
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    const int j = s.col()[k];
+    const Vec3 g_ij = weight(g, s.dim(), k);
+    if (role[j] & FLUID)
+      sum += volume * s.dw()[k] * g_ij.dot(times_inverse(inverse, j, direction(s, k)));
+    else
+      sum += g_ij.squaredNorm();
+  }
+  return sum;
+}
+
+// S without its parts along the normals of the walls next to i
+Vec3 without_outward_parts(const Stencil &s, const Role *role, const double *normal, int i,
+                           double reach, const Vec3 &S)
+{
+  std::vector<Vec3> normals;
+  for (int k = s.begin(i); k < s.end(i); k++)
+    if ((role[s.col()[k]] & WALL) && s.r()[k] < reach) normals.push_back(at(normal, s.col()[k]));
+  return -without_parts_into_walls(-S, normals);
+}
+
+// sigma of a row with |S'|^2 = S2; A <= 0 is the diagonal of the Laplacian
+double self_weight(double S2, double P, double A, const SelfTermParams &params)
+{
+  if (!(S2 > params.low * P)) return 1.0;
+  const bool full = !(S2 < params.high * P);    // also if P is not positive
+  const double clip = full ? 1.0 : (S2 / P - params.low) / (params.high - params.low);
+  const double bound = (P + params.response * A) / S2;
+  return std::max(1.0 - 2.0 * clip, std::min(bound, 0.0));
+}
+
+}    // namespace
+
+int correct_self_term(const Stencil &s, const GradientWeights &g, const Rows &fluid,
+                      const Role *role, const double *normal, const double *inverse, double volume,
+                      double d, const SelfTermParams &params, const double *p, double *grad,
+                      const LaplacianWeights *l)
+{
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  int changed = 0;
+  for (const int i : fluid) {
+    if ((role[i] & SURFACE) || !near_surface(s, role, i, params.near_surface * d)) continue;
+    const Vec3 S = without_outward_parts(s, role, normal, i, params.wall_reach * d,
+                                         sum_of_weights(s, g, i));
+    const double P = divergence_of_gradient(s, g, role, inverse, volume, i);
+    const double A = l ? l->diagonal(i) : -inf;
+    const double sigma = self_weight(S.squaredNorm(), P, A, params);
+    for (int a = 0; a < 3; a++) grad[3 * i + a] += (1.0 - sigma) * p[i] * S[a];
+    changed += sigma < 1.0;
+  }
+  return changed;
+}
+
+int symmetric_gradient(const Stencil &s, const GradientWeights &g, const Rows &fluid, double volume,
+                       double max_lambda, const double *p, double *grad)
+{
+  int changed = 0;
+  for (const int i : fluid) {
+    if (!(g.lambda(i) < max_lambda)) continue;
+    Vec3 sum = Vec3::Zero();
+    for (int k = s.begin(i); k < s.end(i); k++)
+      sum += volume * s.dw()[k] * (p[i] + p[s.col()[k]]) * direction(s, k);
+    for (int a = 0; a < 3; a++) grad[3 * i + a] = sum[a];
+    changed++;
+  }
+  return changed;
+}
+
+}    // namespace aleisph

@@ -1,0 +1,344 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_guard.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+
+namespace {
+
+constexpr char SHIFT[] = "aleisph_u";
+constexpr double CONVEX = 0.95;    // walls of a shape below are edges seen from outside
+
+}    // namespace
+
+FixAleisphGuard::FixAleisphGuard(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), walls_(0.0), collision_(0.0), symmetric_(0.0), cap_(0.0),
+    limit_pressure_(false), selfterm_(false), started_(false), shifted_(false),
+    least_pressure_(0.0), owner_(nullptr)
+{
+  parse(narg, arg);
+  restart_global = 1;
+  vector_flag = 1;
+  size_vector = 3 * NUM_GUARDS;
+  global_freq = 1;
+  extvector = 0;
+}
+
+void FixAleisphGuard::parse(int narg, char **arg)
+{
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/guard " + key, error);
+    const std::string value = arg[iarg + 1];
+    const auto number = [&](double low, double high) {
+      const double x = utils::numeric(FLERR, value, false, lmp);
+      if (!(x >= low) || !(x <= high))
+        error->all(FLERR, "Fix aleisph/guard: {} must lie between {} and {}, not {}", key, low,
+                   high, value);
+      return x;
+    };
+    if (key == "walls") {
+      walls_ = number(0.0, 0.7);
+    } else if (key == "collision") {
+      collision_ = number(0.0, 1.0);
+    } else if (key == "pressure") {
+      limit_pressure_ = value != "no";
+      if (limit_pressure_) least_pressure_ = utils::numeric(FLERR, value, false, lmp);
+    } else if (key == "symmetric") {
+      symmetric_ = number(0.0, 1.0);
+    } else if (key == "selfterm") {
+      selfterm_ = utils::logical(FLERR, value, false, lmp);
+    } else if (key == "cap") {
+      cap_ = utils::numeric(FLERR, value, false, lmp);
+      if (!(cap_ > 0.0))
+        error->all(FLERR, "Fix aleisph/guard: cap must be positive, not {}", value);
+    } else
+      error->all(FLERR, "Fix aleisph/guard: unknown keyword {}", key);
+  }
+}
+
+int FixAleisphGuard::setmask()
+{
+  return FINAL_INTEGRATE;
+}
+
+void FixAleisphGuard::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/guard");
+  if (modify->get_fix_by_style("^aleisph/guard$").size() > 1)
+    error->all(FLERR, "Fix aleisph/guard: there must be only one");
+  const auto predictors = modify->get_fix_by_style("^aleisph/predictor$");
+  if (!predictors.empty() && predictors[0]->igroup != igroup)
+    error->all(FLERR, "Fix aleisph/guard: group must be that of fix {}, {}", predictors[0]->id,
+               group->names[predictors[0]->igroup]);
+  if (selfterm_ && !owner_->has_surface())
+    error->all(FLERR, "Fix aleisph/guard: keyword selfterm needs a fix aleisph/surface");
+  shifted_ = !modify->get_fix_by_style("^aleisph/shift$").empty();
+  int flag, cols;
+  if (walls_ > 0.0 && atom->find_custom(SHIFT, flag, cols) < 0)
+    error->all(FLERR, "Fix aleisph/guard: keyword walls needs frame ale in fix aleisph/predictor");
+  if (limit_pressure_ || symmetric_ > 0.0 || selfterm_) owner_->set_pressure_guard(this);
+}
+
+// What the first shift leads to is held off walls, too. A run that goes on has this done already.
+void FixAleisphGuard::setup(int)
+{
+  if (walls_ > 0.0 && !started_) hold_off_walls();
+  started_ = true;
+}
+
+void FixAleisphGuard::final_integrate()
+{
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
+  if (collision_ > 0.0) collide();
+  if (cap_ > 0.0) cap();
+  if (walls_ > 0.0) hold_off_walls();
+}
+
+void FixAleisphGuard::record(Guard guard, long events, double energy)
+{
+  records_[guard].now = events;
+  records_[guard].total += events;
+  records_[guard].energy += energy;
+}
+
+/* ----------------------------------------------------------------------
+   Guards of the pressure
+------------------------------------------------------------------------- */
+
+void FixAleisphGuard::guard_pressure(double *p, double *grad)
+{
+  if (limit_pressure_) limit_pressure(p, grad);
+  if (selfterm_) correct_self_terms(p, grad);
+  if (symmetric_ > 0.0) replace_gradients(p, grad);
+}
+
+// kinetic energy of v* - dt/rho0 grad minus that with the gradient before
+double FixAleisphGuard::gradient_energy(const std::vector<double> &before, const double *grad) const
+{
+  const double *vstar = owner_->vstar();
+  const double factor = update->dt / owner_->rho0();
+  double sum = 0.0;
+  for (const int i : owner_->discretization().fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) {
+      const double now = vstar[k] - factor * grad[k], then = vstar[k] - factor * before[k];
+      sum += now * now - then * then;
+    }
+  return 0.5 * owner_->particle_mass() * sum;
+}
+
+void FixAleisphGuard::limit_pressure(double *p, double *grad)
+{
+  long low = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(p[i] < least_pressure_)) continue;
+    p[i] = least_pressure_;
+    low++;
+  }
+  double energy = 0.0;
+  if (owner_->sum(low)) {
+    owner_->forward(p, 1);
+    auto &disc = owner_->discretization();
+    work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
+    aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), p, grad);
+    for (const int i : disc.fluid())
+      if (owner_->role()[i] & aleisph::BALLISTIC) std::fill_n(grad + 3 * i, 3, 0.0);
+    energy = gradient_energy(work_, grad);
+  }
+  record(PRESSURE, low, energy);
+}
+
+void FixAleisphGuard::replace_gradients(const double *p, double *grad)
+{
+  auto &disc = owner_->discretization();
+  work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
+  const int rows = aleisph::symmetric_gradient(disc.stencil(), disc.gradient(), free_rows(),
+                                               disc.volume(), symmetric_, p, grad);
+  record(SYMMETRIC, rows, gradient_energy(work_, grad));
+}
+
+void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
+{
+  auto &disc = owner_->discretization();
+  inverses_near_surface();
+  work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
+  const int rows = aleisph::correct_self_term(
+      disc.stencil(), disc.gradient(), disc.fluid(), owner_->role(), owner_->normal(),
+      inverse_.data(), disc.volume(), disc.spacing(), aleisph::SelfTermParams(), p, grad,
+      &disc.laplacian());
+  record(SELFTERM, rows, gradient_energy(work_, grad));
+}
+
+// fluid that has a pressure gradient
+aleisph::Rows FixAleisphGuard::free_rows() const
+{
+  aleisph::Rows rows;
+  for (const int i : owner_->discretization().fluid())
+    if (!(owner_->role()[i] & aleisph::BALLISTIC)) rows.push_back(i);
+  return rows;
+}
+
+// Rows with a surface neighbour read L of their neighbours, so it is needed two supports deep.
+void FixAleisphGuard::inverses_near_surface()
+{
+  auto &disc = owner_->discretization();
+  const auto &s = disc.stencil();
+  const aleisph::Role *role = owner_->role();
+  const auto has_neighbour = [&s](int i, const auto &test) {
+    return std::any_of(s.col() + s.begin(i), s.col() + s.end(i), test);
+  };
+  counts_.assign(owner_->nall(), 0.0);
+  for (const int i : disc.fluid())
+    counts_[i] = has_neighbour(i, [role](int j) { return (role[j] & aleisph::SURFACE) != 0; });
+  owner_->forward(counts_.data(), 1);
+  aleisph::Rows rows;
+  for (const int i : disc.fluid())
+    if (counts_[i] > 0.0 || has_neighbour(i, [this](int j) { return counts_[j] > 0.0; }))
+      rows.push_back(i);
+  inverse_.assign(6 * static_cast<std::size_t>(owner_->nall()), 0.0);
+  aleisph::inverse_moments(s, rows, disc.volume(), disc.floor(), inverse_.data());
+  owner_->forward(inverse_.data(), 6);
+}
+
+/* ----------------------------------------------------------------------
+   Guards of the velocity
+------------------------------------------------------------------------- */
+
+// returns the change of kinetic energy
+double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
+{
+  double *v = owner_->velocity();
+  double sum = 0.0;
+  for (const int i : owner_->discretization().fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) {
+      sum += dv[k] * (2.0 * v[k] + dv[k]);
+      v[k] += dv[k];
+    }
+  return 0.5 * owner_->particle_mass() * sum;
+}
+
+void FixAleisphGuard::collide()
+{
+  auto &disc = owner_->discretization();
+  double *v = owner_->velocity();
+  owner_->forward(v, 3);
+  const double reach = collision_ * disc.spacing();
+  counts_.assign(owner_->nall(), 0.0);
+  aleisph::count_approaching(disc.stencil(), disc.fluid(), owner_->role(), v, reach,
+                             counts_.data());
+  owner_->forward(counts_.data(), 1);
+  work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+  const int events = aleisph::collide(disc.stencil(), disc.fluid(), owner_->role(), v,
+                                      counts_.data(), reach, work_.data());
+  record(COLLISION, events, change_velocity(work_));
+}
+
+void FixAleisphGuard::cap()
+{
+  const auto &fluid = owner_->discretization().fluid();
+  double *v = owner_->velocity();
+  const auto energy = [&]() {
+    double sum = 0.0;
+    for (const int i : fluid)
+      for (int k = 3 * i; k < 3 * i + 3; k++) sum += v[k] * v[k];
+    return 0.5 * owner_->particle_mass() * sum;
+  };
+  const double before = energy();
+  const int events = aleisph::cap_velocity(fluid, domain->dimension, cap_, v);
+  record(CAP, events, events ? energy() - before : 0.0);
+}
+
+void FixAleisphGuard::hold_off_walls()
+{
+  auto &disc = owner_->discretization();
+  double *v = owner_->velocity();
+  double *u = owner_->custom(SHIFT);
+  owner_->forward(v, 3);
+  const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
+  std::vector<double> w(n, 0.0), dw(n, 0.0), convex(owner_->nall(), 0.0);
+  work_.assign(n, 0.0);
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) {
+      if (!shifted_) u[k] = 0.0;    // nobody else sets it anew
+      w[k] = v[k] + u[k];
+    }
+  const double *shape = owner_->wall_shape();
+  for (int j = 0; j < owner_->nall(); j++)
+    if (owner_->role()[j] & aleisph::WALL) convex[j] = shape[j] > 0.0 && shape[j] < CONVEX;
+
+  const int events = aleisph::hold_off_walls(
+      disc.stencil(), disc.fluid(), owner_->role(), owner_->normal(), convex.data(), v, w.data(),
+      disc.spacing(), walls_ * disc.spacing(), update->dt, work_.data(), dw.data());
+  // the work of body forces along the displacement is lost or gained
+  double energy = change_velocity(work_);
+  for (const int i : disc.fluid())
+    for (int a = 0; a < domain->dimension; a++) {
+      u[3 * i + a] += dw[3 * i + a] - work_[3 * i + a];
+      energy -= atom->f[i][a] * dw[3 * i + a] * update->dt;
+    }
+  record(WALLS, events, energy);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphGuard::write_restart(FILE *fp)
+{
+  double state[2 * NUM_GUARDS];
+  for (int k = 0; k < NUM_GUARDS; k++) {
+    state[2 * k] = records_[k].total;
+    state[2 * k + 1] = records_[k].energy;
+  }
+  double total[2 * NUM_GUARDS];
+  MPI_Reduce(state, total, 2 * NUM_GUARDS, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me) return;
+  const int size = sizeof(total);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(total, sizeof(total), 1, fp);
+}
+
+// the totals are those of all ranks: rank 0 goes on with them
+
+void FixAleisphGuard::restart(char *buf)
+{
+  started_ = true;
+  if (comm->me) return;
+  const double *state = reinterpret_cast<double *>(buf);
+  for (int k = 0; k < NUM_GUARDS; k++) {
+    records_[k].total = state[2 * k];
+    records_[k].energy = state[2 * k + 1];
+  }
+}
+
+// for walls, collision, pressure, symmetric, selfterm, cap: events in this step, then events
+// since the start, then energy added since the start
+double FixAleisphGuard::compute_vector(int n)
+{
+  const Record &record = records_[n % NUM_GUARDS];
+  double mine = n < NUM_GUARDS ? record.now : record.total, all;
+  if (n >= 2 * NUM_GUARDS) mine = record.energy;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixAleisphGuard::memory_usage()
+{
+  return sizeof(double) * (work_.size() + counts_.size() + inverse_.size());
+}

@@ -1,0 +1,71 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Guards for splashing flow, in one place; each is off unless asked for,
+   and says how often it acted and what it did to the energy.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/guard,FixAleisphGuard);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_GUARD_H
+#define LMP_FIX_ALEISPH_GUARD_H
+
+#include "aleisph_guards.h"
+#include "fix.h"
+#include "fix_aleisph.h"
+
+#include <array>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixAleisphGuard : public Fix, private AleisphPressureGuard {
+ public:
+  FixAleisphGuard(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void final_integrate() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  enum Guard { WALLS, COLLISION, PRESSURE, SYMMETRIC, SELFTERM, CAP, NUM_GUARDS };
+  struct Record {
+    double now = 0.0, total = 0.0, energy = 0.0;    // of this rank; events, events, energy
+  };
+
+  void parse(int narg, char **arg);
+  void guard_pressure(double *p, double *grad) override;
+  void limit_pressure(double *p, double *grad);
+  void replace_gradients(const double *p, double *grad);
+  void correct_self_terms(const double *p, double *grad);
+  aleisph::Rows free_rows() const;
+  void inverses_near_surface();
+  void collide();
+  void cap();
+  void hold_off_walls();
+  double gradient_energy(const std::vector<double> &before, const double *grad) const;
+  double change_velocity(const std::vector<double> &dv);
+  void record(Guard guard, long events, double energy);
+
+  double walls_, collision_, symmetric_, cap_;    // 0: off
+  bool limit_pressure_, selfterm_, started_, shifted_;
+  double least_pressure_;
+  FixAleisph *owner_;
+  std::array<Record, NUM_GUARDS> records_;
+  std::vector<double> work_, counts_, inverse_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
