@@ -1,0 +1,65 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Chooses the time step. What limits it is told by the styles that know
+   (AleisphTimeStepLimit); how the next step follows is in aleisph_timestep.h.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/dt,FixAleisphDt);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_DT_H
+#define LMP_FIX_ALEISPH_DT_H
+
+#include "aleisph_timestep.h"
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+class FixAleisphDt : public Fix {
+ public:
+  FixAleisphDt(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  void post_run() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  // What a run that goes on needs; doubles only, as it is written to restart files
+  struct Saved {
+    aleisph::StepControl::State control;
+    double script_dt;    // the last one that a timestep command has set
+    double limit;        // smallest bound at the end of the last run; < 0: choose anew
+    double align;
+  };
+
+  void parse(int narg, char **arg);
+  void adopt_timestep();
+  double time() const;
+  double present_limit() const;
+  void remember();
+  void choose();
+  void apply(double dt);
+  void reschedule_dumps();
+
+  int every_;
+  aleisph::StepControl control_;
+  class FixAleisph *owner_;
+  double script_dt_, limit_, limit_align_;
+  bool warned_;    // in this run
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
