@@ -24,6 +24,17 @@ void wall_row(const Stencil &s, const GradientWeights &g, const double *n_i, int
   }
 }
 
+// of a N.grad, a row that p_i is added to
+void surface_row(const Stencil &s, const GradientWeights &g, const double *n_i, int i, double a,
+                 CsrMatrix &A)
+{
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    double n_g = 0.0;
+    for (int c = 0; c < s.dim(); c++) n_g += n_i[c] * g.g(c)[k];
+    A.val(k) = a * n_g;
+  }
+}
+
 // The row of a derivative has zero sum: a constant pressure has no effect. Summed as
 // CsrMatrix::multiply does, the product with a constant is zero to the last bit.
 double zero_sum_diagonal(const CsrMatrix &A, int i)
@@ -42,16 +53,26 @@ void identity_row(CsrMatrix &A, int i)
 RowType wanted_type(Role role)
 {
   if (role & DIRICHLET) return RowType::DIRICHLET;
+  if (role & DRY) return RowType::NONE;
   if (role & WALL) return RowType::WALL;
+  if (role & SURFACE) return RowType::SURFACE;
   if (role & FLUID) return RowType::FLUID;
   return RowType::NONE;
 }
 
-// A NaN is not singular: it must reach the solver, which reports it.
-bool singular(RowType type, double diagonal)
+bool too_few_fluid(const Stencil &s, const Role *role, int i, int needed)
 {
-  if (type == RowType::WALL) return std::fabs(diagonal) < MIN_WALL_DIAGONAL;
-  return diagonal == 0.0;
+  for (int k = s.begin(i); k < s.end(i) && needed > 0; k++)
+    if ((role[s.col()[k]] & (FLUID | WALL)) == FLUID) needed--;
+  return needed > 0;
+}
+
+// A NaN is not singular: it must reach the solver, which reports it.
+bool singular_wall(const Stencil &s, const GradientWeights &g, const Role *role, int i,
+                   double diagonal, const PpeOptions &options)
+{
+  return std::fabs(diagonal) < MIN_WALL_DIAGONAL || g.lambda(i) < options.min_wall_lambda ||
+      too_few_fluid(s, role, i, options.min_wall_fluid);
 }
 
 void count(RowType type, PpeRows &rows)
@@ -60,13 +81,14 @@ void count(RowType type, PpeRows &rows)
   if (type == RowType::WALL) rows.wall++;
   if (type == RowType::DIRICHLET) rows.dirichlet++;
   if (type == RowType::SINGULAR) rows.singular++;
+  if (type == RowType::SURFACE) rows.surface++;
 }
 
 }    // namespace
 
 PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const LaplacianWeights &l,
                      const Role *role, const double *normal, double d, CsrMatrix &A,
-                     std::vector<RowType> &type)
+                     std::vector<RowType> &type, const PpeOptions &options)
 {
   PpeRows rows;
   A.reset(s.rows(), s.ptr(), s.col());
@@ -75,11 +97,22 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
     type[i] = wanted_type(role[i]);
     if (type[i] == RowType::FLUID) fluid_row(s, l, i, d, A);
     if (type[i] == RowType::WALL) wall_row(s, g, normal + 3 * i, i, d, A);
-    if (type[i] == RowType::FLUID || type[i] == RowType::WALL) {
-      A.diag(i) = zero_sum_diagonal(A, i);
-      if (singular(type[i], A.diag(i))) type[i] = RowType::SINGULAR;
+    if (type[i] == RowType::SURFACE)
+      surface_row(s, g, normal + 3 * i, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
+
+    const double diagonal = zero_sum_diagonal(A, i);
+    if (type[i] == RowType::SURFACE && diagonal > 0.0)
+      A.diag(i) = 1.0 + diagonal;
+    else if (type[i] == RowType::FLUID || type[i] == RowType::WALL)
+      A.diag(i) = diagonal;
+    else
+      identity_row(A, i);
+
+    if ((type[i] == RowType::FLUID && diagonal == 0.0) ||
+        (type[i] == RowType::WALL && singular_wall(s, g, role, i, diagonal, options))) {
+      type[i] = RowType::SINGULAR;
+      identity_row(A, i);
     }
-    if (type[i] != RowType::FLUID && type[i] != RowType::WALL) identity_row(A, i);
     count(type[i], rows);
   }
   return rows;
@@ -87,13 +120,14 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
 
 void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
              const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
-             double *b)
+             double *b, double p_surf)
 {
   const int n = static_cast<int>(type.size());
   for (int i = 0; i < n; i++) {
     b[i] = 0.0;
     if (type[i] == RowType::FLUID) b[i] = -d * d * rho_over_dt * div[i];
     if (type[i] == RowType::DIRICHLET) b[i] = p[i];
+    if (type[i] == RowType::SURFACE) b[i] = p_surf;
     if (type[i] == RowType::WALL) {
       double v_n = 0.0;
       for (int a = 0; a < 3; a++) v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];

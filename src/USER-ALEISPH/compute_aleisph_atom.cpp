@@ -6,6 +6,7 @@
 
 #include "compute_aleisph_atom.h"
 
+#include "aleisph_shift.h"
 #include "atom.h"
 #include "error.h"
 #include "fix_aleisph.h"
@@ -24,7 +25,7 @@ ComputeAleisphAtom::ComputeAleisphAtom(LAMMPS *lmp, int narg, char **arg) :
     if (!parse(arg[iarg], field))
       error->all(FLERR,
                  "Compute aleisph/atom: unknown field {}, use p, divv, lambda, cond, nx, ny, nz, "
-                 "row or nneigh",
+                 "row, nneigh, surface, rho, ux, uy or uz",
                  arg[iarg]);
     fields_.push_back(field);
   }
@@ -40,9 +41,9 @@ ComputeAleisphAtom::~ComputeAleisphAtom()
 
 bool ComputeAleisphAtom::parse(const std::string &word, Field &field)
 {
-  static const char *const names[] = {"p",  "divv", "lambda", "cond",  "nx",
-                                      "ny", "nz",   "row",    "nneigh"};
-  for (int k = 0; k < 9; k++)
+  static const char *const names[] = {"p",   "divv",   "lambda",  "cond", "nx", "ny", "nz",
+                                      "row", "nneigh", "surface", "rho",  "ux", "uy", "uz"};
+  for (int k = 0; k < 14; k++)
     if (word == names[k]) {
       field = static_cast<Field>(k);
       return true;
@@ -79,15 +80,38 @@ void ComputeAleisphAtom::compute_peratom()
 
 void ComputeAleisphAtom::fill(Field field, double *out, int stride)
 {
-  if (field == Field::DIVV) {
-    fill_divergence(out, stride);
+  if (field == Field::DIVV || field == Field::RHO) {
+    const std::vector<double> values = field == Field::DIVV ? divergence() : density();
+    for (int i = 0; i < atom->nlocal; i++)
+      out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? values[i] : 0.0;
     return;
   }
   for (int i = 0; i < atom->nlocal; i++)
     out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? value(field, i) : 0.0;
 }
 
-void ComputeAleisphAtom::fill_divergence(double *out, int stride)
+// 0 elsewhere, 1 on the free surface, 2 ballistic, 3 dry wall
+double ComputeAleisphAtom::surface_kind(int i) const
+{
+  const aleisph::Role role = owner_->role()[i];
+  if (role & aleisph::DRY) return 3.0;
+  if (role & aleisph::BALLISTIC) return 2.0;
+  return role & aleisph::SURFACE ? 1.0 : 0.0;
+}
+
+// numerical density over the nearest neighbours (Morikawa, Tsuji & Asai, eq 20) relative to rho0;
+// zero on particles that are not fluid
+std::vector<double> ComputeAleisphAtom::density() const
+{
+  const auto &disc = owner_->discretization();
+  std::vector<double> rho(atom->nlocal, 0.0);
+  aleisph::density_deviation(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
+                             owner_->normal(), disc.volume(), disc.spacing(), true, rho.data());
+  for (const int i : disc.fluid()) rho[i] += 1.0;
+  return rho;
+}
+
+std::vector<double> ComputeAleisphAtom::divergence() const
 {
   auto &disc = owner_->discretization();
   double *v = owner_->velocity();
@@ -95,8 +119,7 @@ void ComputeAleisphAtom::fill_divergence(double *out, int stride)
   std::vector<double> div(atom->nlocal, 0.0);
   aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), v, owner_->role(),
                       owner_->normal(), div.data());
-  for (int i = 0; i < atom->nlocal; i++)
-    out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? div[i] : 0.0;
+  return div;
 }
 
 double ComputeAleisphAtom::value(Field field, int i)
@@ -111,6 +134,13 @@ double ComputeAleisphAtom::value(Field field, int i)
     case Field::NY: return owner_->normal()[3 * i + 1];
     case Field::NZ: return owner_->normal()[3 * i + 2];
     case Field::NNEIGH: return s.end(i) - s.begin(i);
+    case Field::SURFACE: return surface_kind(i);
+    case Field::UX:
+    case Field::UY:
+    case Field::UZ: {
+      const double *u = owner_->custom("aleisph_u");
+      return u ? u[3 * i + static_cast<int>(field) - static_cast<int>(Field::UX)] : 0.0;
+    }
     default: return owner_->row_types().empty() ? 0 : static_cast<int>(owner_->row_types()[i]);
   }
 }

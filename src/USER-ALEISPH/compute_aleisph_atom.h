@@ -30,11 +30,13 @@ class ComputeAleisphAtom : public Compute {
   double memory_usage() override;
 
  private:
-  enum class Field { P, DIVV, LAMBDA, COND, NX, NY, NZ, ROW, NNEIGH };
+  enum class Field { P, DIVV, LAMBDA, COND, NX, NY, NZ, ROW, NNEIGH, SURFACE, RHO, UX, UY, UZ };
 
   static bool parse(const std::string &word, Field &field);
   void fill(Field field, double *out, int stride);
-  void fill_divergence(double *out, int stride);
+  std::vector<double> divergence() const;
+  std::vector<double> density() const;
+  double surface_kind(int i) const;
   double value(Field field, int i);
 
   std::vector<Field> fields_;

@@ -34,6 +34,8 @@ constexpr char PRESSURE_FIX[] = "ALEISPH_P";
 constexpr char PRESSURE[] = "aleisph_p";
 constexpr char WALL_VELOCITY_FIX[] = "ALEISPH_VW";
 constexpr char WALL_VELOCITY[] = "aleisph_vw";
+constexpr char WALL_SHAPE_FIX[] = "ALEISPH_N";
+constexpr char WALL_SHAPE[] = "aleisph_n";
 // masses are typed or printed with seven digits at least
 constexpr double MASS_TOLERANCE = 1.0e-6;
 
@@ -54,10 +56,11 @@ class MpiInnerProduct : public aleisph::InnerProduct {
 // position of a style in the order that a script must follow, -1 if not one of ours
 int rank_in_script(const std::string &style)
 {
-  static const char *const order[] = {"aleisph", "aleisph/wall", "aleisph/pressure",
-                                      "aleisph/predictor", "aleisph/ppe"};
-  static const int rank[] = {0, 1, 1, 2, 3};
-  for (int k = 0; k < 5; k++)
+  static const char *const order[] = {"aleisph",         "aleisph/wall",      "aleisph/pressure",
+                                      "aleisph/surface", "aleisph/predictor", "aleisph/ppe",
+                                      "aleisph/shift",   "aleisph/guard",     "aleisph/dt"};
+  static const int rank[] = {0, 1, 1, 2, 3, 4, 5, 6, 7};
+  for (int k = 0; k < 9; k++)
     if (style == order[k]) return rank[k];
   return -1;
 }
@@ -68,12 +71,13 @@ int rank_in_script(const std::string &style)
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
-    list_(nullptr), moving_(false), pressure_valid_(false), own_cutoff_(0.0), version_(0),
+    list_(nullptr), pressure_guard_(nullptr), moving_(false), adaptive_(false),
+    pressure_valid_(false), walls_located_(false), ndry_(0), own_cutoff_(0.0), version_(0),
     halo_field_(nullptr), halo_ncomp_(0)
 {
   parse(narg, arg);
 
-  comm_forward = 3;
+  comm_forward = 9;
   restart_global = 1;
   vector_flag = 1;
   size_vector = 13;
@@ -88,7 +92,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 FixAleisph::~FixAleisph()
 {
   if (!modify) return;
-  for (const char *id : {PRESSURE_FIX, WALL_VELOCITY_FIX})
+  for (const char *id : {PRESSURE_FIX, WALL_VELOCITY_FIX, WALL_SHAPE_FIX})
     if (modify->get_fix_by_id(id)) modify->delete_fix(id);
 }
 
@@ -163,6 +167,8 @@ void FixAleisph::post_constructor()
       fmt::format("{} all property/atom d_{} ghost yes writedata no", PRESSURE_FIX, PRESSURE));
   modify->add_fix(
       fmt::format("{} all property/atom d2_{} 3 writedata no", WALL_VELOCITY_FIX, WALL_VELOCITY));
+  modify->add_fix(
+      fmt::format("{} all property/atom d2_{} 4 writedata no", WALL_SHAPE_FIX, WALL_SHAPE));
 }
 
 /* ---------------------------------------------------------------------- */
@@ -187,6 +193,19 @@ void FixAleisph::add_velocity_condition(AleisphVelocityCondition *condition)
   conditions_.push_back(condition);
 }
 
+void FixAleisph::set_surface(const AleisphSurface &surface)
+{
+  surface_ = surface;
+  discretization_->set_floor(surface.floor);
+}
+
+aleisph::StepBounds FixAleisph::time_step_limits() const
+{
+  aleisph::StepBounds limits;
+  for (const auto *style : step_limits_) style->time_step_limits(limits);
+  return limits;
+}
+
 double FixAleisph::particle_mass() const
 {
   return fluid_.rho0 * discretization_->volume();
@@ -203,11 +222,17 @@ double *FixAleisph::pressure()
   return atom->dvector[atom->find_custom(PRESSURE, flag, cols)];
 }
 
-double *FixAleisph::previous_wall_velocity()
+double *FixAleisph::custom(const std::string &name) const
 {
   int flag, cols;
-  double **array = atom->darray[atom->find_custom(WALL_VELOCITY, flag, cols)];
-  return atom->nmax ? &array[0][0] : nullptr;
+  const int index = atom->find_custom(name.c_str(), flag, cols);
+  if (index < 0 || atom->nmax == 0) return nullptr;
+  return &atom->darray[index][0][0];
+}
+
+double *FixAleisph::previous_wall_velocity()
+{
+  return custom(WALL_VELOCITY);
 }
 
 bool FixAleisph::ready() const
@@ -229,7 +254,12 @@ void FixAleisph::init()
   FixAleisph::find(lmp, "Fix aleisph");
   role_groups_.clear();
   conditions_.clear();
-  moving_ = false;
+  accelerations_.clear();
+  walls_.clear();
+  step_limits_.clear();
+  pressure_guard_ = nullptr;
+  set_surface(AleisphSurface{false, 0.0, 0.0, 0.0, 0.0});
+  moving_ = adaptive_ = walls_located_ = false;
 
   check_integrator();
   check_companions();
@@ -340,8 +370,10 @@ void FixAleisph::rebuild()
   normal_.assign(3 * n, 0.0);
   vstar_.assign(3 * n, 0.0);
   row_types_.clear();
+  locate_walls();
+  mark_dry_walls();
   discretization_->update(atom->nlocal, atom->x, {list_->numneigh, list_->firstneigh, NEIGHMASK},
-                          role_.data());
+                          role_.data(), dry_rule());
   if (const long coincident = sum(discretization_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
   if (moving_ || n == 0)
@@ -527,8 +559,9 @@ void FixAleisph::report_timing()
   std::string text = fmt::format("\nALEISPH time: {:.4g} s, {:.4g} us per particle-step and rank\n",
                                  total, 1.0e6 * total / particle_steps);
   for (int k = 1; k < aleisph::NUM_PARTS; k++)
-    text += fmt::format("  {:<15}{:>10.4g} s {:>6.1f} %\n", to_string(static_cast<Part>(k)),
-                        seconds[k], total > 0.0 ? 100.0 * seconds[k] / total : 0.0);
+    if (seconds[k] > 0.0)
+      text += fmt::format("  {:<15}{:>10.4g} s {:>6.1f} %\n", to_string(static_cast<Part>(k)),
+                          seconds[k], total > 0.0 ? 100.0 * seconds[k] / total : 0.0);
   const auto &counts = discretization_->counts();
   text += fmt::format("ALEISPH builds: stencil {}, gradient {}, Laplacian {}, PPE matrix {}, "
                       "preconditioner {}, viscous matrix {}, viscous passes {}, wall passes {}\n",
@@ -548,5 +581,5 @@ void FixAleisph::report_timing()
 double FixAleisph::memory_usage()
 {
   return discretization_->bytes() +
-      sizeof(double) * (normal_.size() + vstar_.size() + x_built_.size());
+      sizeof(double) * (normal_.size() + shape_.size() + vstar_.size() + x_built_.size());
 }

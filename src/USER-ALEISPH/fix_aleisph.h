@@ -21,6 +21,7 @@ FixStyle(aleisph,FixAleisph);
 #include "aleisph_fluid.h"
 #include "aleisph_krylov.h"
 #include "aleisph_ppe.h"
+#include "aleisph_timestep.h"
 #include "fix.h"
 
 #include <memory>
@@ -42,11 +43,64 @@ class AleisphVelocityCondition {
   ~AleisphVelocityCondition() = default;    // never deleted through this interface
 };
 
+// Walls that can find their normals
+class AleisphWall {
+ public:
+  // Sets normal and shape of those of its owned particles whose normal is still zero, as far as
+  // it is known by now on which side the fluid is; returns how many it has set. walls: rows of all
+  // wall particles with all their neighbours, also dry ones.
+  virtual int find_normals(const aleisph::Stencil &walls) = 0;
+
+ protected:
+  ~AleisphWall() = default;
+};
+
+// A contribution to the acceleration in the predictor
+class AleisphAcceleration {
+ public:
+  // adds to a (3 per owned particle) on fluid rows; velocities of ghosts are valid
+  virtual void add_acceleration(double *a) = 0;
+
+ protected:
+  ~AleisphAcceleration() = default;
+};
+
+// What may be done to a pressure and its gradient before they act on the velocity
+class AleisphPressureGuard {
+ public:
+  // p: owned and ghost particles, ghosts valid before and after; grad: 3 per owned particle.
+  // Called with the gradient of p already in grad; on return they belong together again.
+  virtual void guard_pressure(double *p, double *grad) = 0;
+
+ protected:
+  ~AleisphPressureGuard() = default;
+};
+
+// A style that knows what limits the time step
+class AleisphTimeStepLimit {
+ public:
+  // lowers the limits that it knows, from the present state; called on all ranks together
+  virtual void time_step_limits(aleisph::StepBounds &limits) const = 0;
+
+ protected:
+  ~AleisphTimeStepLimit() = default;
+};
+
+// What a free surface means to other styles
+struct AleisphSurface {
+  bool present = false;
+  double offset = 0.5;       // of the surface from its particles, in spacings
+  double pressure = 0.0;     // outside
+  double floor = 0.2;        // of the eigenvalues of M in L
+  double dry_reach = 1.2;    // wall particles farther from all fluid, in spacings, are dry; 0: none
+};
+
 // What other styles count and the owner reports
 struct AleisphTally {
   long ppe_builds = 0, precond_builds = 0, viscous_builds = 0, viscous_passes = 0, wall_passes = 0;
   int singular_rows = 0, dirichlet_rows = 0;    // of this rank, last assembly
-  int replaced_pivots = 0;                      // of this rank, last preconditioner
+  int surface_rows = 0;
+  int replaced_pivots = 0;    // of this rank, last preconditioner
 };
 
 class FixAleisph : public Fix {
@@ -73,6 +127,12 @@ class FixAleisph : public Fix {
   // -- set by other styles in their init(), which comes after the owner's
   void add_role(aleisph::Role role, int groupbit);
   void add_velocity_condition(AleisphVelocityCondition *condition);
+  void add_acceleration(AleisphAcceleration *term) { accelerations_.push_back(term); }
+  void add_wall(AleisphWall *wall) { walls_.push_back(wall); }
+  void set_pressure_guard(AleisphPressureGuard *guard) { pressure_guard_ = guard; }
+  void set_surface(const AleisphSurface &surface);
+  void add_time_step_limit(const AleisphTimeStepLimit *limit) { step_limits_.push_back(limit); }
+  void set_adaptive_time_step() { adaptive_ = true; }
   void set_moving() { moving_ = true; }
 
   // -- parameters
@@ -86,10 +146,22 @@ class FixAleisph : public Fix {
   bigint version() const { return version_; }    // changes with the positions
   bool ready() const;    // there is a stencil, and it is that of the present particles
   const aleisph::Role *role() const { return role_.data(); }    // owned and ghost
-  double *normal() { return normal_.data(); }                   // 3 per particle, owned and ghost
-  double *vstar() { return vstar_.data(); }                     // 3 per particle, owned and ghost
-  double *pressure();                                           // d_aleisph_p, owned and ghost
-  double *velocity();                                           // atom->v as one array
+  // into the fluid on walls, outward on the free surface, else zero; 3 per particle, owned and ghost
+  double *normal() { return normal_.data(); }
+  // of wall particles, owned and ghost: 1 flat, > 1 concave (distance of the nearest fluid in
+  // spacings), < 1 convex; 0 if not known. Empty without walls.
+  double *wall_shape() { return shape_.data(); }
+  // while normals are being found: those of the step before (3 per owned particle), zero if none
+  const double *previous_normal() const { return previous_normal_.data(); }
+  bool has_surface() const { return surface_.present; }
+  const AleisphSurface &surface() const { return surface_; }
+  // roles that the free surface adds; the caller makes ghosts valid by forward_roles()
+  aleisph::Role *surface_role() { return role_.data(); }
+  void forward_roles();
+  int dry_walls() const { return ndry_; }      // of this rank
+  double *vstar() { return vstar_.data(); }    // 3 per particle, owned and ghost
+  double *pressure();                          // d_aleisph_p, owned and ghost
+  double *velocity();                          // atom->v as one array
   double *previous_wall_velocity();    // d2_aleisph_vw: v of owned walls at the last step's end
   // what the last PPE made of each owned particle; empty before the first assembly
   std::vector<aleisph::RowType> &row_types() { return row_types_; }
@@ -105,11 +177,18 @@ class FixAleisph : public Fix {
   // impose the velocity conditions on v, then make its ghosts valid
   void complete_velocity(double *v);
   const std::vector<AleisphVelocityCondition *> &velocity_conditions() const { return conditions_; }
+  const std::vector<AleisphAcceleration *> &accelerations() const { return accelerations_; }
+  AleisphPressureGuard *pressure_guard() const { return pressure_guard_; }
+  // of all styles that know one; valid from setup() on
+  aleisph::StepBounds time_step_limits() const;
+  bool adaptive_time_step() const { return adaptive_; }    // the time step is chosen by a fix
 
   // -- for errors that name an atom: the largest of all ranks' IDs, 0 if nobody has one
   tagint largest(tagint tag) const;
   // an error in the caller's name if v (3 per particle) is not finite on an owned particle
   void require_finite(const double *v, const std::string &caller, const std::string &what) const;
+  long sum(long value) const;                       // over all ranks
+  double *custom(const std::string &name) const;    // d2_NAME as one array, null if there is none
 
   const aleisph::InnerProduct &inner_product() const { return *inner_product_; }
   aleisph::Timers &timers() { return timers_; }
@@ -132,7 +211,12 @@ class FixAleisph : public Fix {
   void assign_roles();
   bool positions_changed();
   void rebuild();
-  long sum(long value) const;
+  void locate_walls();
+  bool walls_changed();
+  void find_normals();
+  void mark_dry_walls();
+  bool below_fluid(int i) const;
+  bool dry_rule() const { return surface_.present && surface_.dry_reach > 0.0; }
   void report_timing();
 
   Params params_;
@@ -142,7 +226,13 @@ class FixAleisph : public Fix {
   class NeighList *list_;
   std::vector<std::pair<aleisph::Role, int>> role_groups_;
   std::vector<AleisphVelocityCondition *> conditions_;
-  bool moving_, pressure_valid_;
+  std::vector<AleisphAcceleration *> accelerations_;
+  std::vector<AleisphWall *> walls_;
+  std::vector<const AleisphTimeStepLimit *> step_limits_;
+  AleisphPressureGuard *pressure_guard_;
+  AleisphSurface surface_;
+  bool moving_, adaptive_, pressure_valid_, walls_located_;
+  int ndry_;
   double own_cutoff_;    // ghost cutoff that this fix has set, 0 if none
   bigint version_;
 
@@ -150,7 +240,7 @@ class FixAleisph : public Fix {
   std::unique_ptr<aleisph::Discretization> discretization_;
   std::unique_ptr<aleisph::InnerProduct> inner_product_;
   std::vector<aleisph::Role> role_;
-  std::vector<double> normal_, vstar_, x_built_;
+  std::vector<double> normal_, shape_, previous_normal_, vstar_, x_built_;
   std::vector<aleisph::RowType> row_types_;
   AleisphTally tally_;
 

@@ -9,6 +9,7 @@
 #include "aleisph_halo_operator.h"
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "fix_aleisph.h"
 #include "group.h"
@@ -30,6 +31,10 @@ namespace {
 // the product A p that of the pressure. A relative tolerance must not chase a residual below
 // this; the factor covers the few dozen terms of a row.
 constexpr double ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
+// wall rows at the edge of the fluid that are not trusted; lambda is 0.23 in an intact corner,
+// which has three fluid neighbours in 2d and one in 3d
+constexpr double MIN_WALL_LAMBDA = 0.2;
+constexpr int MIN_WALL_FLUID_2D = 2, MIN_WALL_FLUID_3D = 1;
 }    // namespace
 
 FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
@@ -154,9 +159,10 @@ void FixAleisphPPE::assemble()
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
     rows = aleisph::assemble_ppe(disc.stencil(), gradient, laplacian, owner_->role(),
-                                 owner_->normal(), disc.spacing(), matrix_, owner_->row_types());
+                                 owner_->normal(), disc.spacing(), matrix_, owner_->row_types(),
+                                 options());
   }
-  int fixed = rows.dirichlet + rows.singular, any;
+  int fixed = rows.dirichlet + rows.singular + rows.surface, any;
   MPI_Allreduce(&fixed, &any, 1, MPI_INT, MPI_SUM, world);
   closed_ = any == 0;
   choose_preconditioner();
@@ -165,7 +171,19 @@ void FixAleisphPPE::assemble()
   tally.ppe_builds++;
   tally.dirichlet_rows = rows.dirichlet;
   tally.singular_rows = rows.singular;
+  tally.surface_rows = rows.surface;
   version_ = owner_->version();
+}
+
+// Next to a free surface wall rows can lose their fluid neighbours
+aleisph::PpeOptions FixAleisphPPE::options() const
+{
+  aleisph::PpeOptions options;
+  if (!owner_->has_surface()) return options;
+  options.surface_offset = owner_->surface().offset * owner_->spacing();
+  options.min_wall_lambda = MIN_WALL_LAMBDA;
+  options.min_wall_fluid = domain->dimension == 2 ? MIN_WALL_FLUID_2D : MIN_WALL_FLUID_3D;
+  return options;
 }
 
 void FixAleisphPPE::choose_preconditioner()
@@ -193,7 +211,8 @@ void FixAleisphPPE::right_hand_side()
     vwall = at_rest.data();
   }
   aleisph::ppe_rhs(owner_->row_types(), owner_->normal(), owner_->vstar(), vwall, div_.data(),
-                   owner_->pressure(), disc.spacing(), owner_->rho0() / update->dt, rhs_.data());
+                   owner_->pressure(), disc.spacing(), owner_->rho0() / update->dt, rhs_.data(),
+                   owner_->surface().pressure);
 }
 
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
@@ -223,10 +242,19 @@ void FixAleisphPPE::correct_velocity()
     grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
     aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->pressure(),
                       grad_.data());
+    if (owner_->has_surface()) release_ballistic();
+    if (auto *guard = owner_->pressure_guard())
+      guard->guard_pressure(owner_->pressure(), grad_.data());
     for (const int i : disc.fluid())
       for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
   }
   if (!owner_->velocity_conditions().empty()) owner_->complete_velocity(v);
+}
+
+void FixAleisphPPE::release_ballistic()
+{
+  for (const int i : owner_->discretization().fluid())
+    if (owner_->role()[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -247,7 +275,10 @@ double FixAleisphPPE::max_divergence()
   aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), v, owner_->role(),
                       owner_->normal(), div_.data());
   double mine = 0.0, all;
-  for (const int i : disc.fluid()) mine = std::max(mine, std::fabs(div_[i]));
+  const auto &types = owner_->row_types();
+  for (const int i : disc.fluid())
+    if (types.empty() || types[i] == aleisph::RowType::FLUID)
+      mine = std::max(mine, std::fabs(div_[i]));
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all;
 }

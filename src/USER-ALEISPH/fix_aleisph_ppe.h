@@ -19,6 +19,7 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 
 #include "aleisph_csr.h"
 #include "aleisph_krylov.h"
+#include "aleisph_ppe.h"
 #include "aleisph_precond.h"
 #include "fix.h"
 
@@ -47,12 +48,14 @@ class FixAleisphPPE : public Fix {
 
   void parse(int narg, char **arg);
   void assemble();
+  aleisph::PpeOptions options() const;
   void choose_preconditioner();
   void right_hand_side();
   void solve();
   double rounding_level() const;
   void act_on(const aleisph::SolveReport &report);
   void correct_velocity();
+  void release_ballistic();
   double residual_bound() const;
   double max_divergence();
 

@@ -7,12 +7,10 @@
 #include "fix_aleisph_predictor.h"
 
 #include "aleisph_halo_operator.h"
-#include "aleisph_lattice.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_aleisph.h"
 #include "group.h"
 #include "input.h"
 #include "modify.h"
@@ -26,6 +24,7 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using aleisph::Part;
+using aleisph::StepBound;
 
 namespace {
 
@@ -33,15 +32,15 @@ constexpr char ACCELERATION_FIX[] = "ALEISPH_A";
 constexpr char ACCELERATION[] = "aleisph_a";
 constexpr char TRANSPORT_FIX[] = "ALEISPH_W";
 constexpr char TRANSPORT[] = "aleisph_w";
-// walls half a spacing away and jittered particles lower the lattice's explicit
-// limit by up to a quarter; a warning leaves a little more
-constexpr double SAFE_SHARE = 0.7;
+constexpr char SHIFT_FIX[] = "ALEISPH_U";
+constexpr char SHIFT[] = "aleisph_u";
+constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::VISCOUS)];
 
 }    // namespace
 
 FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), previous_dt_(0.0), viscous_version_(-1),
-    viscous_dt_(0.0), viscous_iterations_(0)
+    Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), viscous_limit_(0.0), previous_dt_(0.0),
+    viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
 {
   parse(narg, arg);
   check_transport();
@@ -58,7 +57,7 @@ FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
 FixAleisphPredictor::~FixAleisphPredictor()
 {
   if (!modify) return;
-  for (const char *id : {ACCELERATION_FIX, TRANSPORT_FIX})
+  for (const char *id : {ACCELERATION_FIX, TRANSPORT_FIX, SHIFT_FIX})
     if (modify->get_fix_by_id(id)) modify->delete_fix(id);
 }
 
@@ -116,18 +115,29 @@ void FixAleisphPredictor::parse(int narg, char **arg)
 
 void FixAleisphPredictor::check_transport() const
 {
-  const bool given = !params_.transport[0].empty();
-  if (given && params_.frame != Frame::ALE)
+  if (prescribed() && params_.frame != Frame::ALE)
     error->all(FLERR, "Fix aleisph/predictor: keyword transport needs frame ale");
-  if (!given && params_.frame == Frame::ALE)
-    error->all(FLERR, "Fix aleisph/predictor: frame ale needs keyword transport");
+}
+
+// what moves the particles of frame ale: given velocities, or shifts on top of the fluid's
+void FixAleisphPredictor::check_shift() const
+{
+  const bool shifted = !modify->get_fix_by_style("^aleisph/shift$").empty() ||
+      !modify->get_fix_by_style("^aleisph/guard$").empty();
+  if (params_.frame != Frame::ALE || prescribed() == !shifted) return;
+  if (shifted)
+    error->all(FLERR,
+               "Fix aleisph/predictor: keyword transport cannot be used with fix aleisph/shift or "
+               "fix aleisph/guard");
+  error->all(FLERR,
+             "Fix aleisph/predictor: frame ale needs keyword transport or a fix aleisph/shift");
 }
 
 int FixAleisphPredictor::setmask()
 {
   int mask = FINAL_INTEGRATE;
   if (params_.frame != Frame::EULERIAN) mask |= INITIAL_INTEGRATE;
-  if (params_.frame == Frame::ALE) mask |= END_OF_STEP;
+  if (prescribed()) mask |= END_OF_STEP;
   return mask;
 }
 
@@ -137,14 +147,10 @@ void FixAleisphPredictor::post_constructor()
     modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", id, name));
   };
   if (params_.ab2) add(ACCELERATION_FIX, ACCELERATION);
-  if (params_.frame == Frame::ALE) add(TRANSPORT_FIX, TRANSPORT);
-}
-
-double *FixAleisphPredictor::custom(const char *name) const
-{
-  int flag, cols;
-  double **array = atom->darray[atom->find_custom(name, flag, cols)];
-  return atom->nmax ? &array[0][0] : nullptr;
+  if (prescribed())
+    add(TRANSPORT_FIX, TRANSPORT);
+  else if (params_.frame == Frame::ALE)
+    add(SHIFT_FIX, SHIFT);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -162,8 +168,11 @@ void FixAleisphPredictor::init()
   nu_ = owner_->fluid().nu;
   if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->rho0() : params_.nu;
   viscous_version_ = -1;
+  check_shift();
   check_other_integrators();
-  check_viscous_limit();
+  const auto &disc = owner_->discretization();
+  viscous_limit_ = aleisph::viscous_limit(disc.kernel(), disc.spacing(), nu_, params_.ab2);
+  owner_->add_time_step_limit(this);
 }
 
 void FixAleisphPredictor::reset_dt()
@@ -190,18 +199,14 @@ void FixAleisphPredictor::check_other_integrators() const
 void FixAleisphPredictor::check_viscous_limit() const
 {
   if (nu_ == 0.0 || params_.theta > 0.0) return;
-  const auto &disc = owner_->discretization();
-  const double d = disc.spacing();
-  double limit = 2.0 / aleisph::lattice_spectral_radius(disc.kernel(), d);
-  if (params_.ab2) limit *= 0.5;
-  const double safe_dt = SAFE_SHARE * limit * d * d / nu_;
-  if (viscous_number() > limit)
+  const double safe_dt = SAFE_SHARE * viscous_limit_;
+  if (update->dt > viscous_limit_)
     error->all(FLERR,
                "Fix aleisph/predictor: explicit viscosity is unstable at nu dt/d^2 = {:.4g}; use a "
                "timestep of at most {:.6g}, or scheme be or cn",
                viscous_number(), safe_dt);
   // the message gives the safe step with six digits
-  if (viscous_number() > SAFE_SHARE * limit * (1.0 + 1.0e-5) && comm->me == 0)
+  if (update->dt > safe_dt * (1.0 + 1.0e-5) && !owner_->adaptive_time_step() && comm->me == 0)
     error->warning(FLERR,
                    "Fix aleisph/predictor: nu dt/d^2 = {:.4g} is near the limit of explicit "
                    "viscosity; a timestep of at most {:.6g} is safe",
@@ -215,7 +220,9 @@ void FixAleisphPredictor::check_viscous_limit() const
 
 void FixAleisphPredictor::setup(int)
 {
-  if (params_.frame == Frame::ALE) evaluate_transport();
+  // a time step that is chosen is checked in reset_dt()
+  if (!owner_->adaptive_time_step()) check_viscous_limit();
+  if (prescribed()) evaluate_transport();
   if (owner_->pressure_valid()) return;
   double *v = owner_->velocity();
   owner_->forward(v, 3);
@@ -229,6 +236,7 @@ void FixAleisphPredictor::setup(int)
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
+  add_other_terms(a_);
   double *vstar = owner_->vstar();
   for (const auto *rows : {&disc.fluid(), &disc.wall()})
     for (const int i : *rows)
@@ -238,10 +246,12 @@ void FixAleisphPredictor::setup(int)
 void FixAleisphPredictor::initial_integrate(int)
 {
   double **x = atom->x;
-  const double *w = params_.frame == Frame::ALE ? custom(TRANSPORT) : owner_->velocity();
+  const double *w = prescribed() ? owner_->custom(TRANSPORT) : owner_->velocity();
+  const double *shift = shifted() ? owner_->custom(SHIFT) : nullptr;
   const int dim = domain->dimension;
   for (const int i : owner_->discretization().fluid())
-    for (int a = 0; a < dim; a++) x[i][a] += update->dt * w[3 * i + a];
+    for (int a = 0; a < dim; a++)
+      x[i][a] += update->dt * (w[3 * i + a] + (shift ? shift[3 * i + a] : 0.0));
 }
 
 void FixAleisphPredictor::end_of_step()
@@ -251,7 +261,7 @@ void FixAleisphPredictor::end_of_step()
 
 void FixAleisphPredictor::evaluate_transport()
 {
-  double *w = custom(TRANSPORT);
+  double *w = owner_->custom(TRANSPORT);
   std::vector<double> values(atom->nlocal);
   for (int a = 0; a < domain->dimension; a++) {
     const std::string &word = params_.transport[a];
@@ -302,9 +312,9 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
   const double *v = owner_->velocity();
   const double *c = v;
   if (params_.frame == Frame::ALE) {
-    const double *w = custom(TRANSPORT);
     relative_.resize(a.size());
-    for (std::size_t k = 0; k < a.size(); k++) relative_[k] = v[k] - w[k];
+    const double *w = owner_->custom(shifted() ? SHIFT : TRANSPORT);
+    for (std::size_t k = 0; k < a.size(); k++) relative_[k] = shifted() ? -w[k] : v[k] - w[k];
     c = relative_.data();
   }
   aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), c, v, owner_->role(),
@@ -349,11 +359,16 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
 }
 
+void FixAleisphPredictor::add_other_terms(std::vector<double> &a)
+{
+  for (auto *term : owner_->accelerations()) term->add_acceleration(a.data());
+}
+
 // Adams-Bashforth: replaces a by its second-order extrapolation to the middle of the step
 void FixAleisphPredictor::extrapolate(std::vector<double> &a)
 {
   if (!params_.ab2) return;
-  double *old = custom(ACCELERATION);
+  double *old = owner_->custom(ACCELERATION);
   const double half_ratio = previous_dt_ > 0.0 ? 0.5 * update->dt / previous_dt_ : 0.0;
   for (std::size_t k = 0; k < a.size(); k++) {
     const double now = a[k];
@@ -371,6 +386,7 @@ void FixAleisphPredictor::predict_explicit()
   add_convection(a_);
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
+  add_other_terms(a_);
   extrapolate(a_);
   const double *v = owner_->velocity();
   double *vstar = owner_->vstar();
@@ -409,6 +425,7 @@ void FixAleisphPredictor::predict_implicit()
   body_acceleration(a_);
   add_convection(a_);
   add_wall_viscosity(a_);
+  add_other_terms(a_);
   extrapolate(a_);
 
   owner_->forward(owner_->pressure(), 1);
@@ -516,47 +533,66 @@ double FixAleisphPredictor::viscous_number() const
   return nu_ * update->dt / (owner_->spacing() * owner_->spacing());
 }
 
-double FixAleisphPredictor::largest_norm(const double *v) const
+// max |v|, or max |v + w|
+double FixAleisphPredictor::largest_norm(const aleisph::Rows &rows, const double *v,
+                                         const double *w) const
 {
   double mine = 0.0, all;
-  for (const int i : owner_->discretization().fluid()) {
+  for (const int i : rows) {
     double square = 0.0;
-    for (int a = 0; a < 3; a++) square += v[3 * i + a] * v[3 * i + a];
+    for (int k = 3 * i; k < 3 * i + 3; k++) {
+      const double component = v[k] + (w ? w[k] : 0.0);
+      square += component * component;
+    }
     mine = std::max(mine, square);
   }
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return std::sqrt(all);
 }
 
-// CFL 0.2, body force 0.25, explicit viscosity, and forward Euler with central
-// convection on particles that do not move (dt <= 2 nu/u^2)
-double FixAleisphPredictor::time_step_limit() const
+// of fluid, particles and walls: a wall that starts to move meets fluid at rest
+double FixAleisphPredictor::largest_speed() const
+{
+  const auto &disc = owner_->discretization();
+  const double *v = owner_->velocity();
+  double speed = std::max(largest_norm(disc.fluid(), v), largest_norm(disc.wall(), v));
+  if (prescribed()) speed = std::max(speed, largest_norm(disc.fluid(), owner_->custom(TRANSPORT)));
+  if (shifted()) speed = std::max(speed, largest_norm(disc.fluid(), v, owner_->custom(SHIFT)));
+  return speed;
+}
+
+void FixAleisphPredictor::time_step_limits(aleisph::StepBounds &limits) const
 {
   const auto &disc = owner_->discretization();
   const double d = disc.spacing();
-  const double speed = largest_norm(owner_->velocity());
-  const double accel = largest_norm(&atom->f[0][0]) / owner_->particle_mass();
-  double dt = 1.0e30;
-  if (speed > 0.0) dt = std::min(dt, 0.2 * d / speed);
-  if (accel > 0.0) dt = std::min(dt, 0.25 * std::sqrt(d / accel));
-  if (nu_ > 0.0 && params_.theta == 0.0) {
-    const double radius = aleisph::lattice_spectral_radius(disc.kernel(), d);
-    dt = std::min(dt, SAFE_SHARE * (params_.ab2 ? 1.0 : 2.0) / radius * d * d / nu_);
+  const double *f = atom->nmax ? &atom->f[0][0] : nullptr;
+  const double acceleration = largest_norm(disc.fluid(), f) / owner_->particle_mass();
+  limits.lower(StepBound::CFL, aleisph::cfl_limit(d, largest_speed()));
+  limits.lower(StepBound::FORCE, aleisph::force_limit(d, acceleration));
+  if (params_.theta == 0.0) limits.lower(StepBound::VISCOUS, viscous_limit_);
+  if (params_.frame == Frame::EULERIAN && !params_.ab2) {
+    const double speed = largest_norm(disc.fluid(), owner_->velocity());
+    limits.lower(StepBound::CONVECTION, aleisph::convection_limit(nu_, speed));
   }
-  if (params_.frame == Frame::EULERIAN && !params_.ab2 && speed > 0.0)
-    dt = std::min(dt, 2.0 * nu_ / (speed * speed));
-  return dt;
+}
+
+double FixAleisphPredictor::advisable_time_step() const
+{
+  aleisph::StepBounds limits;
+  time_step_limits(limits);
+  return std::min(1.0e30, limits.scaled(aleisph::DEFAULT_STEP_SHARES).smallest());
 }
 
 double FixAleisphPredictor::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/predictor");
   if (!owner_->ready()) return 0.0;
+  const auto &fluid = owner_->discretization().fluid();
   switch (n) {
-    case 0: return largest_norm(owner_->velocity()) * update->dt / owner_->spacing();
+    case 0: return largest_norm(fluid, owner_->velocity()) * update->dt / owner_->spacing();
     case 1: return viscous_number();
-    case 2: return largest_norm(owner_->velocity());
-    case 3: return time_step_limit();
+    case 2: return largest_norm(fluid, owner_->velocity());
+    case 3: return advisable_time_step();
     default: return viscous_iterations_;
   }
 }

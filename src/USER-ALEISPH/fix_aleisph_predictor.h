@@ -5,8 +5,8 @@
 
    Motion and prediction (Morikawa, Tsuji & Asai, eqs 3, 6):
      x += dt w,    v* = v + dt (nu lap v + f/m - c.grad v),    c = v - w,
-   with the transport velocity w = v (lagrangian), 0 (eulerian) or prescribed
-   (ale). Viscosity is explicit, or implicit by backward Euler or
+   with the transport velocity w = v (lagrangian), 0 (eulerian), or (ale)
+   prescribed, or v plus the velocity of shifting, d2_aleisph_u. Viscosity is explicit, or implicit by backward Euler or
    Crank-Nicolson; the implicit forms see -grad p^n/rho0 while they solve for
    the viscous velocity and give it back afterwards, so that the pressure
    equation is the same for all.
@@ -24,6 +24,7 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 #include "aleisph_krylov.h"
 #include "aleisph_precond.h"
 #include "fix.h"
+#include "fix_aleisph.h"
 
 #include <array>
 #include <memory>
@@ -32,7 +33,7 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 
 namespace LAMMPS_NS {
 
-class FixAleisphPredictor : public Fix {
+class FixAleisphPredictor : public Fix, private AleisphTimeStepLimit {
  public:
   FixAleisphPredictor(class LAMMPS *, int, char **);
   ~FixAleisphPredictor() override;
@@ -62,15 +63,18 @@ class FixAleisphPredictor : public Fix {
   };
 
   void parse(int narg, char **arg);
+  bool prescribed() const { return !params_.transport[0].empty(); }
+  bool shifted() const { return params_.frame == Frame::ALE && !prescribed(); }
   void check_transport() const;
+  void check_shift() const;
   void check_other_integrators() const;
   void check_viscous_limit() const;
-  double *custom(const char *name) const;
 
   void body_acceleration(std::vector<double> &a);
   void add_convection(std::vector<double> &a);
   void add_viscosity(double share, std::vector<double> &a);
   void add_wall_viscosity(std::vector<double> &a);
+  void add_other_terms(std::vector<double> &a);
   void extrapolate(std::vector<double> &a);
   void predict_explicit();
   void predict_implicit();
@@ -78,14 +82,17 @@ class FixAleisphPredictor : public Fix {
   void assemble_viscous();
   void solve_viscous(std::vector<double> &rhs);
   void evaluate_transport();
-  double largest_norm(const double *v) const;
+  double largest_norm(const aleisph::Rows &rows, const double *v, const double *w = nullptr) const;
+  double largest_speed() const;
   double viscous_number() const;
-  double time_step_limit() const;
+  void time_step_limits(aleisph::StepBounds &limits) const override;
+  double advisable_time_step() const;
 
   Params params_;
-  class FixAleisph *owner_;
-  double nu_;             // in force
-  double previous_dt_;    // of the stored acceleration, 0 if there is none
+  FixAleisph *owner_;
+  double nu_;               // in force
+  double viscous_limit_;    // time step at which explicit viscosity is unstable on the lattice
+  double previous_dt_;      // of the stored acceleration, 0 if there is none
 
   std::vector<double> a_, work_, grad_p_, relative_;    // 3 per owned particle
   aleisph::CsrMatrix viscous_;

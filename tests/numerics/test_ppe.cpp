@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_normals.h"
 #include "aleisph_ppe.h"
+#include "normals.h"
 #include "scenes.h"
 #include "solver.h"
 
@@ -278,12 +278,7 @@ TEST(Ppe, HydrostaticBoxIsExact)
     for (double jitter : {0.0, 0.1, 0.2})
       for (unsigned seed = 1; seed <= 3; seed++) {
         Scene scene = closed_box(dim, dim == 2 ? 20 : 10, jitter, seed);
-        {
-          const Discretized ops(scene, LaplacianLimits(), false);
-          std::vector<NormalStatus> status(scene.points.size());
-          wall_normals(ops.s(), scene.rows(WALL), scene.role.data(), scene.d, NormalParams(),
-                       scene.normal.data(), status);
-        }
+        scene.normal = find_normals(scene).n;
         const Ppe ppe(scene);
         const int n = ppe.size();
         EXPECT_EQ(ppe.ops().l().morris_count().total(), 0);
