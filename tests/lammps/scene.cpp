@@ -92,3 +92,55 @@ Scene tank(int dimension, int n)
       }
   return scene;
 }
+
+Scene open_tank(int dimension, int n, int above)
+{
+  Scene scene;
+  scene.dimension = dimension;
+  scene.d = 1.0 / n;
+  scene.boundary = dimension == 2 ? "f f p" : "f f f";
+  scene.low.fill(-0.5 * scene.d);
+  scene.high.fill(1.0 + 0.5 * scene.d);
+  scene.high[dimension - 1] += (above + 1) * scene.d;
+  if (dimension == 2) scene.high[2] = 0.5 * scene.d;
+  const int levels = n + above;
+  for (int k = 0; k <= (dimension == 3 ? levels : 0); k++)
+    for (int j = 0; j <= (dimension == 2 ? levels : n); j++)
+      for (int i = 0; i <= n; i++) {
+        const int level = dimension == 2 ? j : k;
+        const bool side = i == 0 || i == n || (dimension == 3 && (j == 0 || j == n));
+        if (!side && level > n) continue;
+        scene.add(side || level == 0 ? Scene::WALL : Scene::FLUID, i * scene.d, j * scene.d,
+                  k * scene.d);
+      }
+  return scene;
+}
+
+Scene dam(int n)
+{
+  Scene scene;
+  scene.d = 1.0 / n;
+  scene.boundary = "f f p";
+  scene.low.fill(-0.5 * scene.d);
+  scene.high = {4.0 + 0.5 * scene.d, 4.0 + 0.5 * scene.d, 0.5 * scene.d};
+  for (int j = 0; j <= 3 * n; j++)
+    for (int i = 0; i <= 4 * n; i++) {
+      const bool wall = i == 0 || i == 4 * n || j == 0;
+      if (!wall && (i > n || j > 2 * n)) continue;
+      scene.add(wall ? Scene::WALL : Scene::FLUID, i * scene.d, j * scene.d);
+    }
+  return scene;
+}
+
+Scene patch(int n)
+{
+  Scene scene;
+  scene.d = 1.0 / n;
+  scene.boundary = "f f p";
+  scene.low = {-1.5, -1.5, -0.5 * scene.d};
+  scene.high = {1.5, 1.5, 0.5 * scene.d};
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < n; i++)
+      scene.add(Scene::FLUID, (i + 0.5) * scene.d - 0.5, (j + 0.5) * scene.d - 0.5);
+  return scene;
+}

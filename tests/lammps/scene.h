@@ -38,5 +38,12 @@ Scene channel(int n, int columns = 10);
 Scene open_channel(int n, int columns);
 // closed box [0, 1]^2 or [0, 1]^3 with walls all round
 Scene tank(int dimension, int n);
+// the same, open at the top: fluid up to particles at height 1, walls `above` spacings higher
+Scene open_tank(int dimension, int n, int above = 3);
+// dam break: n columns of 2n fluid particles each at the left wall of a tank 4n wide and 3n high;
+// spacing 1/n
+Scene dam(int n);
+// n x n fluid particles about the origin, spacing 1/n, nothing else in a box 3 x 3
+Scene patch(int n);
 
 #endif

@@ -13,12 +13,13 @@
 #include <string>
 
 struct Script {
-  std::string owner, wall, body, pressure, predictor, ppe, timestep;
+  std::string owner, wall, body, pressure, surface, predictor, ppe, shift, guard, timestep, dt;
 
   std::string text() const
   {
     std::string all;
-    for (const auto *line : {&owner, &wall, &body, &pressure, &predictor, &ppe, &timestep})
+    for (const auto *line : {&owner, &wall, &body, &pressure, &surface, &predictor, &ppe, &shift,
+                             &guard, &timestep, &dt})
       if (!line->empty()) all += *line + "\n";
     return all;
   }
@@ -33,6 +34,23 @@ inline Script script_of(const Scene &scene)
     if (type == Scene::WALL) s.wall = "fix wall wall aleisph/wall";
   s.predictor = "fix pred fluid aleisph/predictor";
   s.ppe = "fix ppe all aleisph/ppe tol 1e-12";
+  return s;
+}
+
+// particles that are shifted
+inline Script shifted_script(const Scene &scene, const std::string &shift)
+{
+  Script s = script_of(scene);
+  s.predictor += " frame ale";
+  s.shift = "fix shift fluid aleisph/shift " + shift;
+  return s;
+}
+
+// the same with a free surface
+inline Script free_script(const Scene &scene, const std::string &shift = "density velocity 1.0")
+{
+  Script s = shifted_script(scene, shift);
+  s.surface = "fix surf fluid aleisph/surface";
   return s;
 }
 

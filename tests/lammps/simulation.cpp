@@ -63,16 +63,19 @@ class Surroundings : public ::testing::Environment {
     new Surroundings);
 
 // a new name each time, so that no two simulations write to the same file
-std::string next_logfile()
+std::string next_logfile(MPI_Comm comm)
 {
   static int count = 0;
-  return scratch_file("log." + std::to_string(count++));
+  const std::string name = "log." + std::to_string(count++);
+  int rank;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return scratch_file(comm == MPI_COMM_SELF ? fmt::format("{}.{}", name, rank) : name);
 }
 
-std::unique_ptr<LAMMPS> start(const std::string &logfile)
+std::unique_ptr<LAMMPS> start(const std::string &logfile, MPI_Comm comm)
 {
   LAMMPS::argv args = {"lammps", "-screen", "none", "-nocite", "-log", logfile};
-  auto lammps = std::make_unique<LAMMPS>(args, MPI_COMM_WORLD);
+  auto lammps = std::make_unique<LAMMPS>(args, comm);
   Modify &modify = *lammps->modify;
   aleisph::each_style(
       [&](const char *name, Modify::FixCreator creator) { (*modify.fix_map)[name] = creator; },
@@ -86,11 +89,19 @@ std::unique_ptr<LAMMPS> start(const std::string &logfile)
 
 /* ---------------------------------------------------------------------- */
 
-Simulation::Simulation() : logfile_(next_logfile()), lammps_(start(logfile_))
+Simulation::Simulation(MPI_Comm comm) : logfile_(next_logfile(comm)), lammps_(start(logfile_, comm))
 {
 }
 
-Simulation::Simulation(const Scene &scene) : Simulation()
+Simulation::Simulation() : Simulation(MPI_COMM_WORLD)
+{
+}
+
+Simulation::Simulation(const Scene &scene) : Simulation(scene, MPI_COMM_WORLD)
+{
+}
+
+Simulation::Simulation(const Scene &scene, MPI_Comm comm) : Simulation(comm)
 {
   create(scene);
 }
@@ -100,7 +111,7 @@ Simulation::~Simulation() = default;
 int Simulation::ranks() const
 {
   int n;
-  MPI_Comm_size(MPI_COMM_WORLD, &n);
+  MPI_Comm_size(lammps_->world, &n);
   return n;
 }
 
@@ -145,7 +156,7 @@ std::string Simulation::error_of(const std::string &script)
 std::string Simulation::log() const
 {
   if (lammps_->logfile) std::fflush(lammps_->logfile);
-  MPI_Barrier(MPI_COMM_WORLD);
+  MPI_Barrier(lammps_->world);
   return read_text(logfile_);
 }
 
@@ -167,7 +178,7 @@ template <class Value> std::vector<double> Simulation::by_id(Value value) const
   std::vector<double> values(atom.natoms, 0.0);
   for (int i = 0; i < atom.nlocal; i++) values.at(atom.tag[i] - 1) = value(i);
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,
-                MPI_COMM_WORLD);
+                lammps_->world);
   return values;
 }
 

@@ -20,6 +20,8 @@ class Simulation {
   Simulation();
   // with the box, the particles, their masses, and the groups fluid and wall
   explicit Simulation(const Scene &scene);
+  // on these ranks; MPI_COMM_SELF: every rank has a simulation of its own
+  Simulation(const Scene &scene, MPI_Comm comm);
   ~Simulation();
 
   // the lines of an input script
@@ -54,6 +56,7 @@ class Simulation {
   int ranks() const;
 
  private:
+  explicit Simulation(MPI_Comm comm);
   void create(const Scene &scene);
   template <class Value> std::vector<double> by_id(Value value) const;
 

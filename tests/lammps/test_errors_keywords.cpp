@@ -123,7 +123,6 @@ TEST(KeywordErrors, Predictor)
           {start + "tol 1", {"ix aleisph/predictor", "tol", "between 0 and 1", "not 1"}},
           {start + "tol nan", not_a_number(start, "nan")},
           {start + "frame ale transport 1 0", {"ix aleisph/predictor", "transport"}},
-          {start + "frame ale", {"ix aleisph/predictor", "frame ale needs keyword transport"}},
           {start + "transport 1 0 0", {"ix aleisph/predictor", "transport needs frame ale"}},
           {start + "frame eulerian transport 1 0 0",
            {"ix aleisph/predictor", "transport needs frame ale"}},

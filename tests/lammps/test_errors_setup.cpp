@@ -46,6 +46,9 @@ TEST(SetupErrors, FixesThatMustBeThere)
   expect_errors({
       {"no pressure solver", [](Script &s) { s.ppe = ""; }, {"needs a fix aleisph/ppe"}},
       {"no predictor", [](Script &s) { s.predictor = ""; }, {"aleisph/predictor"}},
+      {"nothing that moves the particles",
+       [](Script &s) { s.predictor += " frame ale"; },
+       {"ix aleisph/predictor", "frame ale needs keyword transport or a fix aleisph/shift"}},
   });
 }
 
