@@ -4,10 +4,10 @@
 
    The nearest wall particles are vertices, unless the way along the wall
    leads past another one: at equal distances two vertices are 50 degrees
-   apart, at least. Two that span a facet of the wall are joined by an arc. The arcs
-   cut the sphere into sides: a plane wall has two, one of them the fluid's;
-   where a wall stands on another one that goes on behind it, there are
-   three. A side that the arcs do not close, at the rim of a wall, ends
+   apart, at least. Two that span a facet of the wall are joined by an arc.
+   The arcs cut the sphere into sides: a plane wall has two, one of them the
+   fluid's; where a wall stands on another one that goes on behind it, there
+   are three. A side that the arcs do not close, at the rim of a wall, ends
    where its last arc ends. All that a side says about the wall comes from
    the arcs that bound it, so that a wall behind another one has no part
    in it.
