@@ -69,7 +69,7 @@ struct LaplacianLimits {
   double min_lambda = 0.5;
   double max_cond = 200.0;
   double min_diagonal = 0.5;
-  double max_diagonal = 4.0;
+  double max_diagonal = 8.0;
   double eta = 0.01;
 };
 

@@ -18,6 +18,9 @@ namespace {
 
 using Vec = Eigen::Vector3d;
 
+// a particle lies above a wall particle if it is off its normal by fewer spacings than this
+constexpr double ABOVE = 0.8;
+
 inline Vec at(const double *field, int i)
 {
   return Vec(field[3 * i], field[3 * i + 1], field[3 * i + 2]);
@@ -192,6 +195,24 @@ class ConcentrationShift {
 
 /* ---------------------------------------------------------------------- */
 
+// Off the wall that fluid particle i is closest to, if it is too close. The distance is measured
+// along the normals of wall particles that i lies above.
+Vec away_from_wall(const Scene &c, int i)
+{
+  double closest = c.params.wall_distance * c.d;
+  Vec n = Vec::Zero();
+  for (int k = c.s.begin(i); k < c.s.end(i); k++) {
+    const int j = c.s.col()[k];
+    if (!(c.role[j] & WALL)) continue;
+    const Vec n_j = at(c.normal, j), r = c.s.r()[k] * direction(c.s, k);
+    const double height = n_j.dot(r);
+    if (height < 0.0 || height >= closest || (r - height * n_j).norm() > ABOVE * c.d) continue;
+    closest = height;
+    n = n_j;
+  }
+  return std::min(c.params.wall_distance * c.d - closest, c.params.wall_step * c.d) * n;
+}
+
 template <class Model>
 ShiftCount shift_rows(const Scene &c, const Rows &fluid, Model model, double *dr)
 {
@@ -200,6 +221,7 @@ ShiftCount shift_rows(const Scene &c, const Rows &fluid, Model model, double *dr
   for (const int i : fluid) {
     Vec step = Vec::Zero();
     if (!(c.role[i] & BALLISTIC)) step = model(i);
+    if (c.params.wall_step > 0.0) step += away_from_wall(c, i);
     const double length = step.norm();
     if (length > most) {
       step *= most / length;

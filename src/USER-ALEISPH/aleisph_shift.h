@@ -50,6 +50,8 @@ struct ShiftParams {
   bool positive_surface = false;    // pairs with a surface member: max(eps_i + eps_j, 0)
   double coefficient = 0.0;         // C, of this step
   double smoothing = 0.0;           // of the surface positions, of this step; accurate density only
+  double wall_distance = 0.7;       // fluid closer to a wall, in spacings, is moved off it,
+  double wall_step = 0.0;           // by so many spacings in this step, at most
   double limit = 0.1;               // |dr| <= limit * d
   double dt = 0.0;                  // tvf: |dr| <= 0.25 |v| dt
 };

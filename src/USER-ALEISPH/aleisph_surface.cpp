@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   u_ij = -e_ij directions to the neighbours. Scratch arrays live as long as
+   Scratch arrays live as long as
    one call, so that no particle allocates memory.
 ------------------------------------------------------------------------- */
 
@@ -46,23 +46,49 @@ const Directions &fibonacci_directions()
   return directions;
 }
 
-// Is there a direction around a particle without neighbours?
+/* ----------------------------------------------------------------------
+   Is there a direction around a particle without neighbours? Behind a wall
+   there is none, though the particle may lie almost on it: each wall
+   neighbour stands for a second one at a distance d behind it, too.
+------------------------------------------------------------------------- */
 class AllRoundTest {
  public:
-  AllRoundTest(const Stencil &s, double reach, double half_angle) :
-      s_(s), reach_(reach), half_angle_(half_angle), cosine_(std::cos(half_angle)),
-      directions_(fibonacci_directions())
+  AllRoundTest(const Stencil &s, const Role *role, const double *normal, double d, double reach,
+               double half_angle) :
+      s_(s),
+      role_(role), normal_(normal), d_(d), reach_(reach), half_angle_(half_angle),
+      cosine_(std::cos(half_angle)), directions_(fibonacci_directions())
   {
   }
 
-  bool open(int i) { return s_.dim() == 2 ? open_2d(i) : open_3d(i); }
+  bool open(int i)
+  {
+    collect(i);
+    return s_.dim() == 2 ? open_2d() : open_3d();
+  }
 
  private:
-  bool open_2d(int i)
+  // unit vectors to the neighbours
+  void collect(int i)
+  {
+    near_.clear();
+    for (int k = s_.begin(i); k < s_.end(i); k++) {
+      if (s_.r()[k] > reach_) continue;
+      Vec3 u = Vec3::Zero();
+      for (int a = 0; a < s_.dim(); a++) u[a] = -s_.e(a)[k];
+      near_.push_back(u);
+      const int j = s_.col()[k];
+      if (!(role_[j] & WALL)) continue;
+      const Vec3 behind = s_.r()[k] * u - d_ * Eigen::Map<const Vec3>(normal_ + 3 * j);
+      const double distance = behind.norm();
+      if (distance > 0.0 && distance <= reach_) near_.push_back(behind / distance);
+    }
+  }
+
+  bool open_2d()
   {
     azimuth_.clear();
-    for (int k = s_.begin(i); k < s_.end(i); k++)
-      if (s_.r()[k] <= reach_) azimuth_.push_back(std::atan2(-s_.e(1)[k], -s_.e(0)[k]));
+    for (const Vec3 &u : near_) azimuth_.push_back(std::atan2(u[1], u[0]));
     if (azimuth_.empty()) return true;
     std::sort(azimuth_.begin(), azimuth_.end());
     double widest = azimuth_.front() + 2.0 * PI - azimuth_.back();
@@ -71,11 +97,8 @@ class AllRoundTest {
     return widest > 2.0 * half_angle_ + TIE;
   }
 
-  bool open_3d(int i)
+  bool open_3d() const
   {
-    near_.clear();
-    for (int k = s_.begin(i); k < s_.end(i); k++)
-      if (s_.r()[k] <= reach_) near_.emplace_back(-s_.e(0)[k], -s_.e(1)[k], -s_.e(2)[k]);
     return std::any_of(directions_.begin(), directions_.end(), [this](const Vec3 &direction) {
       return std::none_of(near_.begin(), near_.end(),
                           [this, &direction](const Vec3 &u) { return u.dot(direction) > cosine_; });
@@ -83,7 +106,9 @@ class AllRoundTest {
   }
 
   const Stencil &s_;
-  const double reach_, half_angle_, cosine_;
+  const Role *role_;
+  const double *normal_;
+  const double d_, reach_, half_angle_, cosine_;
   const Directions &directions_;
   std::vector<double> azimuth_;
   std::vector<Vec3> near_;
@@ -132,7 +157,7 @@ SurfaceCount detect_surface(const Stencil &s, const GradientWeights &g, const Ro
                             const SurfaceParams &params, Role *role, double *normal)
 {
   const int least = params.min_neighbours > 0 ? params.min_neighbours : s.dim() + 1;
-  AllRoundTest test(s, params.reach * d, params.half_angle * DEGREE);
+  AllRoundTest test(s, role, normal, d, params.reach * d, params.half_angle * DEGREE);
   SurfaceNormal outward(s, role, params.wall_reach * d);
   SurfaceCount count;
   for (int i : fluid) {

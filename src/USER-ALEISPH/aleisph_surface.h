@@ -8,8 +8,10 @@
           neighbour within reach * d closer to it than half_angle,
    and the smallest eigenvalue of its moments is below max_lambda; or if it
    has fewer than min_neighbours fluid neighbours in the stencil, which makes
-   it ballistic. Neighbours are fluid and wall particles alike: a stencil
-   without dry wall particles is what makes this right at contact lines.
+   it ballistic. Neighbours are fluid and wall particles alike, and what lies
+   a spacing d behind the latter, so that a particle squeezed against a wall
+   is not taken for one on the surface; a stencil without dry wall particles
+   is what makes this right at contact lines.
    In 3d an open cone is always seen from a half angle of half_angle + 15
    degrees on, the resolution of the 96 directions.
 

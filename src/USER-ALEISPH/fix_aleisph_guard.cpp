@@ -127,8 +127,12 @@ void FixAleisphGuard::record(Guard guard, long events, double energy)
 void FixAleisphGuard::guard_pressure(double *p, double *grad)
 {
   if (limit_pressure_) limit_pressure(p, grad);
-  if (selfterm_) correct_self_terms(p, grad);
-  if (symmetric_ > 0.0) replace_gradients(p, grad);
+  if (!selfterm_ && symmetric_ == 0.0) return;
+  // they contain the pressure itself: that above the pressure outside, which must not act
+  gauge_.assign(p, p + owner_->nall());
+  for (double &value : gauge_) value -= owner_->surface().pressure;
+  if (selfterm_) correct_self_terms(gauge_.data(), grad);
+  if (symmetric_ > 0.0) replace_gradients(gauge_.data(), grad);
 }
 
 // kinetic energy of v* - dt/rho0 grad minus that with the gradient before
@@ -340,5 +344,5 @@ double FixAleisphGuard::compute_vector(int n)
 
 double FixAleisphGuard::memory_usage()
 {
-  return sizeof(double) * (work_.size() + counts_.size() + inverse_.size());
+  return sizeof(double) * (work_.size() + counts_.size() + inverse_.size() + gauge_.size());
 }

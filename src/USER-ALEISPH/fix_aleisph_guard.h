@@ -62,7 +62,7 @@ class FixAleisphGuard : public Fix, private AleisphPressureGuard {
   double least_pressure_;
   FixAleisph *owner_;
   std::array<Record, NUM_GUARDS> records_;
-  std::vector<double> work_, counts_, inverse_;
+  std::vector<double> work_, counts_, inverse_, gauge_;
 };
 
 }    // namespace LAMMPS_NS

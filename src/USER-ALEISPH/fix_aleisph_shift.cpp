@@ -33,6 +33,8 @@ constexpr char SHIFT[] = "aleisph_u";
 constexpr double RATE_ACCURATE = 0.3, RATE_PUBLISHED = 0.1;
 constexpr double SMOOTHING = 1.5, MAX_SMOOTHING = 0.5;    // a share per step above 1/2 overshoots
 constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
+// off walls, in spacings per U dt/d, and per step
+constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
 constexpr double RATE_FICKIAN = 2.0;
 
@@ -102,6 +104,8 @@ void FixAleisphShift::parse(int narg, char **arg)
       smoothing_ = positive();
     } else if (key == "filter") {
       filter_ = positive();
+    } else if (key == "walls") {
+      params_.wall_distance = positive();
     } else if (key == "limit") {
       params_.limit = positive();
     } else
@@ -205,6 +209,7 @@ void FixAleisphShift::shift()
   const double scale = velocity_scale() * dt_over_d();
   params_.coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate_ * scale;
   params_.smoothing = std::min(smoothing_ * scale, MAX_SMOOTHING);
+  params_.wall_step = params_.wall_distance > 0.0 ? std::min(WALL_RATE * scale, WALL_STEP) : 0.0;
   params_.dt = update->dt;
   if (params_.model == ShiftModel::DENSITY) {
     eps_.assign(owner_->nall(), 0.0);

@@ -12,7 +12,6 @@
 #include "utils.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -54,8 +53,6 @@ void FixAleisphSurface::parse(int narg, char **arg)
       params_.reach = number(1.0, 3.0);
     } else if (key == "pressure") {
       surface_.pressure = utils::numeric(FLERR, value, false, lmp);
-      if (!std::isfinite(surface_.pressure))
-        error->all(FLERR, "Fix aleisph/surface: pressure must be finite, not {}", value);
     } else if (key == "floor") {
       surface_.floor = number(0.0, 0.5);
     } else if (key == "dry") {

@@ -294,6 +294,27 @@ TEST(Shift, AWallMirrorsTheDeviation)
   EXPECT_NEAR(dr[1], 1.2 * (weight(shifting, 1.0) + 2.0 * a), ROUNDING);
 }
 
+// min(wall_distance d - s, wall_step d) along the normal of the wall below; a wall particle beside
+// it or behind the particle does not count
+TEST(Shift, MovesParticlesOffWalls)
+{
+  for (double s : {0.2, 0.68, 0.75}) {
+    Scene scene;
+    scene.add({0.0, s, 0.0}, FLUID);
+    scene.add({0.1, 0.0, 0.0}, WALL, {0.0, 1.0, 0.0});
+    scene.add({1.0, 0.1, 0.0}, WALL, {0.0, 1.0, 0.0});
+    scene.add({0.3, 1.2, 0.0}, WALL, {0.0, 1.0, 0.0});
+    const Shifting shifting(scene);
+    ShiftParams params = unlimited(ShiftModel::DENSITY);
+    const std::vector<double> eps(4, 0.0);
+    const Point without = at(shifting.shift(params, eps), 0);
+    params.wall_step = 0.05;
+    const Point with = at(shifting.shift(params, eps), 0);
+    EXPECT_NEAR(with[0], without[0], ROUNDING);
+    EXPECT_NEAR(with[1] - without[1], std::max(0.0, std::min(0.7 - s, 0.05)), ROUNDING) << s;
+  }
+}
+
 // a buffer particle is no fluid row, its deviation is not known either
 TEST(Shift, ABufferMirrorsTheDeviation)
 {
