@@ -43,7 +43,7 @@ def store_log(log, target, example):
 
 def draw(example, readme, folder):
     """The picture, by the command that the README gives to the reader."""
-    words = PICTURE.search(readme)[1].split()
+    words = PICTURE.search(readme)[1].replace("../../", f"{EXAMPLES.parent}/").split()
     subprocess.run([sys.executable, str(RENDER), *words], cwd=folder, check=True)
     picture = words[1]
     (EXAMPLES / example / picture).write_bytes((folder / picture).read_bytes())

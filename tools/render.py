@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Draws a LAMMPS dump of particles as a picture: render.py DUMP PICTURE.png [options]
 
-One panel per field (--fields), every particle a disc as large as its spacing; with --profile a
-further panel of velocity profiles at all times of the dump, next to the exact solution. In three
-dimensions the fields show the particles near a plane (--slice z=0).
+One panel per field (--fields) and snapshot (--frame), every particle a disc as large as its spacing;
+with --profile a further panel of velocity profiles at all times of the dump, next to the exact
+solution. In three dimensions the fields show the particles near a plane (--slice z=0).
 Needs numpy and matplotlib (Debian: python3-matplotlib).
 """
 
@@ -70,6 +70,29 @@ def arrow_places(x, y, mask, count):
     return inside[np.unique(np.column_stack([column, row]), axis=0, return_index=True)[1]]
 
 
+def outline_pieces(path, time, copies):
+    """Lines that a CSV file (time,x,y) holds for this time, turned to make a closed outline."""
+    with open(path, encoding="ascii") as lines:
+        rows = [line.split(",") for line in lines if line[:1].isdigit()]
+    table = np.array(rows, dtype=float)
+    piece = table[np.abs(table[:, 0] - time) < 1e-3]
+    z = piece[:, 1] + 1j * piece[:, 2]
+    return [z * np.exp(2j * np.pi * k / copies) for k in range(copies)]
+
+
+def draw_outline(axes, time, path, copies):
+    for z in outline_pieces(path, time, int(copies)):
+        axes.plot(z.real, z.imag, color="black", linewidth=0.8)
+
+
+def color_limits(values, name, options):
+    """Those of --limits, else of the values."""
+    for field_name, low, high in options.limits:
+        if field_name == name:
+            return float(low), float(high)
+    return values.min(), values.max()
+
+
 def draw_field(figure, axes, frame, name, options):
     near = slice_mask(frame, options.slice)
     first, second = options.axes
@@ -78,8 +101,10 @@ def draw_field(figure, axes, frame, name, options):
     x, y, values = frame[first], frame[second], field(frame, name)
     size = spacing(x[near], y[near])
     discs(axes, x[wall], y[wall], size, None, None)
-    limits = (values[fluid].min(), values[fluid].max())
+    limits = color_limits(values[fluid], name, options)
     shapes = discs(axes, x[fluid], y[fluid], size, values[fluid], limits)
+    if options.outline and frame.time is not None:
+        draw_outline(axes, frame.time, *options.outline)
     if options.arrows:
         sample = arrow_places(x, y, fluid, options.arrows)
         axes.quiver(x[sample], y[sample], frame["v" + first][sample], frame["v" + second][sample],
@@ -132,12 +157,17 @@ def parse():
     parser.add_argument("picture")
     parser.add_argument("--fields", nargs="*", default=["speed"],
                         help="speed, p, or a column of the dump")
-    parser.add_argument("--frame", type=int, default=-1, help="which snapshot; default: the last")
+    parser.add_argument("--frame", nargs="+", type=int, default=[-1],
+                        help="which snapshots; default: the last")
     parser.add_argument("--axes", default="xy", help="horizontal and vertical axis")
     parser.add_argument("--slice", help="plane of a 3d dump, such as z=0")
     parser.add_argument("--walls", nargs="*", type=int, default=[2], help="types drawn in grey")
     parser.add_argument("--arrows", type=int, default=0, help="so many arrows along the picture")
     parser.add_argument("--units", default="", help="unit of the field, for the title")
+    parser.add_argument("--limits", nargs=3, action="append", default=[],
+                        metavar=("FIELD", "LOW", "HIGH"), help="of the colors; can be repeated")
+    parser.add_argument("--outline", nargs=2, metavar=("CSV", "COPIES"),
+                        help="draw the line of columns time,x,y, turned COPIES times")
     parser.add_argument("--profile", nargs=4, metavar=("KIND", "A", "B", "C"),
                         help="pipe R G nu, plane H G nu, or couette H U nu")
     return parser.parse_args()
@@ -146,18 +176,19 @@ def parse():
 def save(figure, path):
     """A PNG with a palette: a third of the size of one with full colors."""
     with io.BytesIO() as buffer:
-        figure.savefig(buffer, dpi=110)
+        figure.savefig(buffer, dpi=110, bbox_inches="tight")
         Image.open(buffer).convert("RGB").quantize(256, kmeans=2).save(path, "PNG", optimize=True)
 
 
 def main():
     options = parse()
     frames = read_frames(options.dump)
-    panels = len(options.fields) + (options.profile is not None)
+    shown = [(frames[k], name) for k in options.frame for name in options.fields]
+    panels = len(shown) + (options.profile is not None)
     figure, axes = plt.subplots(1, panels, figsize=(5.5 * panels, 4.2), squeeze=False,
                                 constrained_layout=True)
-    for place, name in zip(axes[0], options.fields):
-        draw_field(figure, place, frames[options.frame], name, options)
+    for place, (frame, name) in zip(axes[0], shown):
+        draw_field(figure, place, frame, name, options)
     if options.profile:
         kind, *parameters = options.profile
         draw_profile(axes[0][-1], frames, kind, [float(word) for word in parameters])

@@ -27,18 +27,26 @@ def find_mpi():
     return os.environ.get("ALEISPH_MPIEXEC") or shutil.which("mpirun") or sys.exit("no mpirun")
 
 
-def run_lammps(script, variables, folder, ranks=1):
-    """One process on one core, or one per rank; returns what it prints. What it writes goes to the
-    folder."""
-    folder.mkdir(parents=True, exist_ok=True)
+def command_line(script, variables, ranks=1):
     launcher = [find_mpi(), "-np", str(ranks)] if ranks > 1 else []
     command = [*launcher, find_lammps(), "-in", str(script), "-nocite"]
     for name, value in variables.items():  # a tuple: a variable that takes one value after another
         values = value if isinstance(value, tuple) else (value,)
         command += ["-var", name, *map(str, values)]
+    return command
+
+
+def environment():
     # RHEO links BLAS and LAPACK; more than one thread there would not be a run on one core.
-    env = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    done = subprocess.run(command, cwd=folder, env=env, text=True, check=False,
+    return dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+
+
+def run_lammps(script, variables, folder, ranks=1):
+    """One process on one core, or one per rank; returns what it prints. What it writes goes to the
+    folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    command = command_line(script, variables, ranks)
+    done = subprocess.run(command, cwd=folder, env=environment(), text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
         tail = "\n".join(done.stdout.splitlines()[-12:])
@@ -46,15 +54,33 @@ def run_lammps(script, variables, folder, ranks=1):
     return done.stdout
 
 
+def attempt_lammps(script, variables, folder, ranks=1, limit=None):
+    """The same for a run that may fail or last too long (limit in seconds): what it printed, and
+    how it failed, "" if it did not."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "output", "w+", encoding="ascii", errors="replace") as output:
+        try:
+            done = subprocess.run(command_line(script, variables, ranks), cwd=folder,
+                                  env=environment(), check=False, timeout=limit, stdout=output,
+                                  stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+            failure = f"status {done.returncode}" if done.returncode else ""
+        except subprocess.TimeoutExpired:
+            failure = f"stopped after {limit:g} s"
+    text = (folder / "output").read_text(encoding="ascii", errors="replace")
+    named = re.search(r"^ERROR.*", text, re.MULTILINE)
+    return text, named[0].strip() if failure and named else failure
+
+
 def cpu_share(text):
     """Share of its core that a run had, from LAMMPS' own timing ("99.8% CPU use").
 
     Run times are multiplied by it: what other programs on the machine took is not counted.
     """
-    loops = [float(s) for s in re.findall(r"^Loop time of (\S+) on", text, re.MULTILINE)]
-    shares = [float(s) / 100 for s in re.findall(r"^([\d.]+)% CPU use", text, re.MULTILINE)]
-    total = sum(loops)
-    return min(1.0, sum(t * s for t, s in zip(loops, shares)) / total) if total > 0 else 1.0
+    # A run with "post no" has a loop time and no CPU use: it is left out.
+    pairs = re.findall(r"^Loop time of (\S+) on(?:(?!^Loop time of)[\s\S])*?^([\d.]+)% CPU use",
+                       text, re.MULTILINE)
+    total = sum(float(time) for time, _ in pairs)
+    return min(1.0, sum(float(t) * float(s) / 100 for t, s in pairs) / total) if total > 0 else 1.0
 
 
 def fields(line):

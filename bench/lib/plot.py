@@ -12,6 +12,8 @@ STYLE = {
     "aleisph tuned": ("#000000", "D"), "aleisph lagrangian": ("#56B4E9", "v"),
     "aleisph lagrangian tuned": ("#CC79A7", "v"), "rheo example": ("#D55E00", "s"),
     "rheo tuned": ("#E69F00", "s"), "sph example": ("#009E73", "^"), "sph tuned": ("#A6D854", "^"),
+    "aleisph accurate": ("#0072B2", "o"), "aleisph published": ("#CC79A7", "v"),
+    "aleisph viscous": ("#56B4E9", "D"),
 }
 
 
@@ -53,25 +55,29 @@ def panel(axes, title, rows):
 def legend_entries(panels):
     seen = dict.fromkeys(label for _, rows in panels for label, _, _ in series_of(rows))
     handles = [plt.Line2D([], [], color=STYLE[s][0], marker=STYLE[s][1], label=s) for s in seen]
-    return handles + [
-        plt.Line2D([], [], color="0.3", marker="o", markerfacecolor="white", linestyle="",
-                   label="open: half the time step"),
-        plt.Line2D([], [], color="0.3", linestyle="--", label="dashed: tighter tolerance"),
-        plt.Line2D([], [], linestyle="", label="numbers: n")]
+    handles.append(plt.Line2D([], [], color="0.3", marker="o", markerfacecolor="white",
+                              linestyle="", label="open: half the time step"))
+    if any("tol" in row for _, rows in panels for row in rows):
+        handles.append(plt.Line2D([], [], color="0.3", linestyle="--",
+                                  label="dashed: tighter tolerance"))
+    return [*handles, plt.Line2D([], [], linestyle="", label="numbers: n")]
 
 
-def figure(panels, path, caption):
-    """panels: [(title, rows)]"""
-    columns = min(3, len(panels))
-    lines = -(-len(panels) // columns)
+def figure(panels, path, caption, ylabel="relative L2 error of the velocity", last=None):
+    """panels: [(title, rows)]; last: a function that draws into the axes behind them"""
+    count = len(panels) + bool(last)
+    columns = 2 if count == 4 else min(3, count)
+    lines = -(-count // columns)
     height = 3.6 * lines + 0.7
     fig, grid = plt.subplots(lines, columns, figsize=(4.2 * columns, height), squeeze=False)
     for axes, (title, rows) in zip(grid.flat, panels):
         panel(axes, title, rows)
-    for axes in list(grid.flat)[len(panels):]:
+    for axes in list(grid.flat)[count:]:
         axes.set_visible(False)
     for line in grid:
-        line[0].set_ylabel("relative L2 error of the velocity", fontsize=9)
+        line[0].set_ylabel(ylabel, fontsize=9)
+    if last:
+        last(grid.flat[len(panels)])
     fig.legend(handles=legend_entries(panels), loc="lower center", ncol=5, fontsize=8,
                frameon=False, bbox_to_anchor=(0.5, 0.2 / height))
     fig.text(0.5, 0.1 / height, caption, ha="center", fontsize=7, color="0.35")

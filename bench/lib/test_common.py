@@ -62,6 +62,12 @@ class Timing(unittest.TestCase):
                 "Loop time of 1 on 1 procs for 1 steps with 2 atoms\n59.0% CPU use with 1 MPI\n")
         self.assertAlmostEqual(common.cpu_share(text), 0.89)
 
+    def test_a_run_without_a_share_does_not_count(self):
+        text = ("Loop time of 8 on 1 procs for 0 steps with 2 atoms\n"
+                "Loop time of 4 on 1 procs for 1 steps with 2 atoms\n50.0% CPU use with 1 MPI\n"
+                "Loop time of 2 on 1 procs for 0 steps with 2 atoms\n")
+        self.assertAlmostEqual(common.cpu_share(text), 0.5)
+
 
 if __name__ == "__main__":
     unittest.main()

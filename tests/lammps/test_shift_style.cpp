@@ -87,7 +87,7 @@ TEST(Shift, Coefficient)
         Case{"density variant published velocity 2.0", 0.1 * 0.2},
         Case{"ops velocity 2.0", 2.0 * 0.2}, Case{"fickian velocity 2.0", 2.0 * 0.2},
         Case{"tvf velocity 2.0", 2.0 * 0.2}, Case{"density step 0.005", 0.005},
-        Case{"density step 0.005 velocity 7 rate 3", 0.005}, Case{"density velocity 0", 0.0},
+        Case{"density step 0.005 velocity 7", 0.005}, Case{"density velocity 0", 0.0},
         Case{"density step 0", 0.0}}) {
     SCOPED_TRACE(item.words);
     Simulation sim(disorder());
@@ -195,13 +195,14 @@ TEST(Shift, UniformFlowStaysUniform)
 
 // With a rate the shift is a motion dx/dt = R U/d h sum(x), which Euler's method follows with the
 // time step of the flow: first order, so that halving dt halves the difference. With `step` the
-// way would double.
+// way would double. A jitter of 0.04 d keeps pairs from crossing the edge of the nearest
+// neighbours, 1.556 d, where the density model jumps (1.414 d + 2 sqrt(2) 0.04 d = 1.527 d).
 TEST(Shift, DoesNotDependOnTheTimeStep)
 {
   for (const char *model : {"density", "density variant published", "ops", "fickian"}) {
     SCOPED_TRACE(model);
     const auto moved = [model](int steps) {
-      Simulation sim(disorder(0.1));
+      Simulation sim(disorder(0.04));
       sim.run(still_script(fmt::format("{} velocity 1.0", model),
                            fmt::format("timestep {}", 0.08 / steps))
                   .text());
@@ -279,6 +280,33 @@ TEST(Shift, TransportVelocityIsBounded)
   for (std::size_t i = 0; i < shift.size(); i++) EXPECT_NEAR(shift[i], 0.25 * speed[i], ROUNDING);
 }
 
+// A particle alone, half a spacing above a floor: the model does not move it, the wall does, by
+// min(walls d - s, 0.05 d min(1, 5 U dt/d))
+TEST(Shift, OffWalls)
+{
+  Scene scene = patch(10);
+  scene.x.clear();
+  scene.type.clear();
+  for (int i = -10; i <= 10; i++) scene.add(Scene::WALL, i * scene.d, 0.0);
+  scene.add(Scene::FLUID, 0.0, 0.5 * scene.d);
+  struct Case {
+    const char *words;
+    double step;    // in spacings
+  };
+  // U dt/d = 0.1, 0.5
+  for (const auto &item : {Case{"velocity 1.0", 0.025}, Case{"velocity 5.0", 0.05},
+                           Case{"velocity 5.0 walls 0.51", 0.01}, Case{"velocity 5.0 walls 0", 0.0},
+                           Case{"velocity 5.0 walls 0.5", 0.0}}) {
+    SCOPED_TRACE(item.words);
+    Simulation sim(scene);
+    Script script = free_script(scene, std::string("ops ") + item.words);
+    script.timestep = "timestep 0.01";
+    sim.run(script.text() + FIELDS + "run 0");
+    EXPECT_NEAR(u(sim, 0)[21], 0.0, ROUNDING);
+    EXPECT_NEAR(u(sim, 1)[21], item.step * scene.d / 0.01, ROUNDING);
+  }
+}
+
 /* ----------------------------------------------------------------------
    At a free surface
 ------------------------------------------------------------------------- */
@@ -310,14 +338,17 @@ TEST(Shift, PublishedSurface)
         EXPECT_NEAR(shift[i], expected, ROUNDING);
       }
     }
-    if (!full) EXPECT_LE(largest(shift_speed(sim)), ROUNDING);
+    if (!full) {
+      EXPECT_LE(largest(shift_speed(sim)), ROUNDING);
+    }
   }
 }
 
-// Accurate variant: nothing at all on a flat surface, but in the four corners of a patch
+// Accurate variant: nothing at all on a flat surface, farther from the corners of a patch than the
+// support and once more the nearest neighbours, 4 d
 TEST(Shift, AccurateSurface)
 {
-  const Scene scene = patch(10);
+  const Scene scene = patch(20);
   Simulation sim(scene);
   Script script = free_script(scene, "density velocity 1.0 smoothing 0");
   script.timestep = "timestep 0.01";
@@ -325,7 +356,7 @@ TEST(Shift, AccurateSurface)
   const auto shift = shift_speed(sim), x = sim.x(0), y = sim.x(1);
   EXPECT_GT(largest(shift), 1e-4);
   for (std::size_t i = 0; i < x.size(); i++)
-    if (std::fabs(x[i]) < 0.15 || std::fabs(y[i]) < 0.15) {
+    if (std::fabs(x[i]) < 0.25 || std::fabs(y[i]) < 0.25) {
       EXPECT_LE(shift[i], ROUNDING);
     }
 }
@@ -336,14 +367,14 @@ TEST(Shift, SmoothingIsBounded)
   const auto shift_with = [](const char *smoothing) {
     const Scene scene = patch(10).jitter(0.1);
     Simulation sim(scene);
-    Script script = free_script(scene, fmt::format("density velocity 1.0 {}", smoothing));
+    Script script = free_script(scene, fmt::format("density velocity 1.0 limit 10 {}", smoothing));
     script.timestep = "timestep 0.01";    // U dt/d = 0.1
     sim.run(script.text() + FIELDS + "run 0");
     return u(sim, 0);
   };
   const auto none = shift_with("smoothing 0"), normal = shift_with(""),
-             given = shift_with("smoothing 1.5"), most = shift_with("smoothing 5.0"),
-             more = shift_with("smoothing 50.0"), half = shift_with("smoothing 0.75");
+             given = shift_with("smoothing 1.5"), most = shift_with("smoothing 6.0"),
+             more = shift_with("smoothing 60.0"), half = shift_with("smoothing 0.75");
   EXPECT_EQ(normal, given);
   EXPECT_EQ(most, more);
   // linear below: 1.5 U dt/d is twice 0.75 U dt/d, where the limit of the shift is not met
@@ -362,7 +393,8 @@ TEST(Shift, VelocityFilter)
   const auto energy = [](const char *filter, const char *stir) {
     const Scene scene = patch(10);
     Simulation sim(scene);
-    Script script = free_script(scene, fmt::format("density step 0 velocity 1.0 {}", filter));
+    Script script = free_script(scene,
+                                fmt::format("density step 0 velocity 1.0 smoothing 0 {}", filter));
     script.timestep = "timestep 0.005";
     sim.run(script.text() + stir + "velocity all set v_u v_w 0\nrun 1");
     double sum = 0.0;
@@ -377,8 +409,8 @@ TEST(Shift, VelocityFilter)
   EXPECT_LT(energy("filter 3", rough), 0.99 * energy("filter 0", rough));
   EXPECT_EQ(energy("filter 3", rough), energy("", rough));
   // at U dt/d = 0.05 a filter of 20 is all there is
-  EXPECT_EQ(energy("filter 20", rough), energy("filter 1000", rough));
-  EXPECT_NE(energy("filter 20", rough), energy("filter 10", rough));
+  EXPECT_EQ(energy("filter 25", rough), energy("filter 1000", rough));
+  EXPECT_NE(energy("filter 19", rough), energy("filter 10", rough));
 }
 
 /* ----------------------------------------------------------------------
@@ -614,6 +646,21 @@ TEST(ShiftErrors, Command)
        line("density surface none"),
        {"ix aleisph/shift", "surface must be full or positive", "none"}},
       {"velocity word", line("density velocity fast"), {"fast"}},
+      {"variant of another model",
+       line("ops variant accurate"),
+       {"ix aleisph/shift: keyword variant needs model density"}},
+      {"surface of another model",
+       line("tvf surface full"),
+       {"ix aleisph/shift: keyword surface needs model density"}},
+      {"smoothing of another model",
+       line("fickian smoothing 1"),
+       {"ix aleisph/shift: keyword smoothing needs model density, variant accurate"}},
+      {"filter of another variant",
+       line("density filter 1 variant published"),
+       {"ix aleisph/shift: keyword filter needs model density, variant accurate"}},
+      {"both coefficients",
+       line("density rate 0.3 step 0.005"),
+       {"ix aleisph/shift: use either keyword rate or keyword step"}},
       {"velocity",
        line("density velocity -1"),
        {"ix aleisph/shift", "velocity must not be negative", "-1"}},
@@ -621,7 +668,7 @@ TEST(ShiftErrors, Command)
        line("density velocity v_U"),
        {"ix aleisph/shift", "U is not an equal-style variable"}},
   };
-  for (const char *key : {"rate", "step", "smoothing", "filter", "limit"})
+  for (const char *key : {"rate", "step", "smoothing", "filter", "walls", "limit"})
     cases.push_back(
         {key,
          line(fmt::format("density {} -0.5", key)),
@@ -706,4 +753,11 @@ TEST(ShiftErrors, NotFinite)
                 "group one id 42\nfix push one addforce v_bad 0 0";
   expect_words(sim.error_of(script.text() + "run 5"),
                {"ix aleisph", "atom 42", "finite", "step 3"});
+}
+
+TEST(ShiftErrors, ShiftNotFinite)
+{
+  Simulation sim(disorder());
+  expect_words(sim.error_of(still_script("ops velocity 1e200 rate 1e200").text() + "run 1"),
+               {"ix aleisph/shift", "shift of atom", "is not finite at step 0"});
 }

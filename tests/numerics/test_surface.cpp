@@ -465,17 +465,19 @@ TEST(Surface, NoneInAFullBox)
 // The contact line along walls, in edges and in corners: the layer at the top and nothing else.
 // Its walls stand above the surface, dry.
 // A particle that an impact has pressed against a wall sees nothing behind it, but is not on the
-// surface: p = 0 there would keep it where it is. (In 3d closer ones are too far from the layer
+// surface: p = 0 there would keep it where it is. (Still closer ones are too far from the layer
 // above, here at 2 d.)
 TEST(Surface, NoneSqueezedAgainstAWall)
 {
   for (int dim : {2, 3})
-    for (double height : {0.5, 0.3, 0.15, 0.05}) {
+    for (double height : {0.5, 0.3, 0.15}) {
       if (dim == 3 && height < 0.3) continue;
       Scene scene = closed_box(dim, 8);
       for (const int i : scene.rows(FLUID)) {
         Point &x = scene.points[i];
-        if (std::fabs(x[dim - 1] - scene.d) < 0.1 * scene.d) x[dim - 1] = height * scene.d;
+        if (std::fabs(x[dim - 1] - scene.d) > 0.1 * scene.d || x[0] > 0.8) continue;
+        x[dim - 1] = height * scene.d;
+        x[0] += 0.5 * scene.d;    // between wall particles
       }
       EXPECT_EQ(find_surface(scene).count.surface, 0) << dim << "d, " << height;
     }
