@@ -18,33 +18,39 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 constexpr LaplacianLimits NO_LIMITS = {0.0, INF, -INF, INF, 0.0};
 
 // the lattice points within the support of the first one, which is the origin
-std::vector<double> lattice_points(const Kernel &kernel, double d)
+std::vector<double> lattice_points(const Kernel &kernel, double d, bool corner)
 {
-  const int n = static_cast<int>(std::ceil(kernel.support() / d));
-  const int nz = kernel.dim() == 3 ? n : 0;
+  const int n = static_cast<int>(std::ceil(kernel.support() / d)), low = corner ? 0 : -n;
+  const bool deep = kernel.dim() == 3;
   std::vector<double> x = {0.0, 0.0, 0.0};
-  for (int k = -nz; k <= nz; k++)
-    for (int j = -n; j <= n; j++)
-      for (int i = -n; i <= n; i++)
+  for (int k = deep ? low : 0; k <= (deep ? n : 0); k++)
+    for (int j = low; j <= n; j++)
+      for (int i = low; i <= n; i++)
         if (i != 0 || j != 0 || k != 0) x.insert(x.end(), {i * d, j * d, k * d});
   return x;
+}
+
+// of the particle at the origin of the lattice, or of its corner
+Stencil lattice_stencil(const Kernel &kernel, double d, bool corner)
+{
+  std::vector<double> points = lattice_points(kernel, d, corner);
+  const int n = static_cast<int>(points.size()) / 3;
+  std::vector<double *> x(n);
+  for (int j = 0; j < n; j++) x[j] = &points[3 * j];
+  std::vector<int> others(n - 1);
+  std::iota(others.begin(), others.end(), 1);
+  const int count = n - 1, *first = others.data();
+  Stencil stencil;
+  stencil.build(kernel, 1, x.data(), {&count, &first, ~0});
+  return stencil;
 }
 
 // the one row of the Laplacian of the particle at the origin
 class LatticeRow {
  public:
-  LatticeRow(const Kernel &kernel, double d)
+  LatticeRow(const Kernel &kernel, double d) : stencil_(lattice_stencil(kernel, d, false))
   {
-    std::vector<double> points = lattice_points(kernel, d);
-    const int n = static_cast<int>(points.size()) / 3;
-    std::vector<double *> x(n);
-    for (int j = 0; j < n; j++) x[j] = &points[3 * j];
-    std::vector<int> others(n - 1);
-    std::iota(others.begin(), others.end(), 1);
-    const int count = n - 1, *first = others.data();
-
     const double volume = std::pow(d, kernel.dim());
-    stencil_.build(kernel, 1, x.data(), {&count, &first, ~0});
     GradientWeights g;
     g.build(stencil_, volume);
     laplacian_.build(stencil_, g, {0}, volume, kernel, d, NO_LIMITS);
@@ -86,6 +92,13 @@ double lattice_spectral_radius(const Kernel &kernel, double d)
       for (int i = 0; i <= N; i++)
         largest = std::max(largest, row.mu({i * unit, j * unit, k * unit}));
   return largest * d * d;
+}
+
+double lattice_corner_lambda(const Kernel &kernel, double d)
+{
+  GradientWeights g;
+  g.build(lattice_stencil(kernel, d, true), std::pow(d, kernel.dim()));
+  return g.lambda(0);
 }
 
 }    // namespace aleisph

@@ -7,6 +7,7 @@
 #include "fix_aleisph_ppe.h"
 
 #include "aleisph_halo_operator.h"
+#include "aleisph_lattice.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -31,9 +32,10 @@ namespace {
 // the product A p that of the pressure. A relative tolerance must not chase a residual below
 // this; the factor covers the few dozen terms of a row.
 constexpr double ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
-// wall rows at the edge of the fluid that are not trusted; lambda is 0.23 in an intact corner,
-// which has three fluid neighbours in 2d and one in 3d
-constexpr double MIN_WALL_LAMBDA = 0.2;
+// Wall rows at the edge of the fluid that are not trusted: lambda below this share of that of an
+// intact corner (0.2 for the default kernel in 2d), or fewer fluid neighbours than this; an intact
+// corner has three in 2d and one in 3d.
+constexpr double MIN_WALL_LAMBDA = 0.7;
 constexpr int MIN_WALL_FLUID_2D = 2, MIN_WALL_FLUID_3D = 1;
 }    // namespace
 
@@ -181,7 +183,9 @@ aleisph::PpeOptions FixAleisphPPE::options() const
   aleisph::PpeOptions options;
   if (!owner_->has_surface()) return options;
   options.surface_offset = owner_->surface().offset * owner_->spacing();
-  options.min_wall_lambda = MIN_WALL_LAMBDA;
+  const auto &disc = owner_->discretization();
+  options.min_wall_lambda =
+      MIN_WALL_LAMBDA * aleisph::lattice_corner_lambda(disc.kernel(), disc.spacing());
   options.min_wall_fluid = domain->dimension == 2 ? MIN_WALL_FLUID_2D : MIN_WALL_FLUID_3D;
   return options;
 }

@@ -50,6 +50,20 @@ double closed_form_radius(const Kernel &kernel, double d)
 // The grid of 8 wave numbers per direction is half of the reference's. The maximum lies on or near
 // the edge of the zone, where mu is flat; next to it a step of pi/(8 d) changes mu by less than
 // (pi/16)^2/2 = 2 % of its size.
+// Cubic spline, h = 1.2 d, 2d: M_11 = M_22 = m, M_12 = c, lambda = m - c, from the neighbours at
+// (1,0) (0,1) (1,1) (2,0) (0,2) (2,1) (1,2) with w = -V dW/dr r at q = r/1.2
+TEST(Lattice, CornerLambda)
+{
+  const double h = 1.2, scale = 10.0 / (7.0 * M_PI * h * h * h);
+  const auto w = [&](double r) {
+    const double q = r / h;
+    return scale * r * (q < 1.0 ? 3.0 * q - 2.25 * q * q : 0.75 * (2.0 - q) * (2.0 - q));
+  };
+  const double r5 = std::sqrt(5.0), r2 = std::sqrt(2.0);
+  const double m = w(1.0) + w(2.0) + 0.5 * w(r2) + w(r5), c = 0.5 * w(r2) + 0.8 * w(r5);
+  EXPECT_NEAR(lattice_corner_lambda(Kernel(KernelType::CUBIC_SPLINE, 2, H), D), m - c, 1e-12);
+}
+
 TEST(Lattice, SpectralRadiusAgreesWithTheClosedForm)
 {
   for (const KernelType type : KERNELS)
