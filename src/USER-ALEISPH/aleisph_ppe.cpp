@@ -127,7 +127,7 @@ void ppe_rhs(const std::vector<RowType> &type, const double *normal, const doubl
     b[i] = 0.0;
     if (type[i] == RowType::FLUID) b[i] = -d * d * rho_over_dt * div[i];
     if (type[i] == RowType::DIRICHLET) b[i] = p[i];
-    if (type[i] == RowType::SURFACE) b[i] = p_surf;
+    if (type[i] == RowType::SURFACE || type[i] == RowType::SINGULAR) b[i] = p_surf;
     if (type[i] == RowType::WALL) {
       double v_n = 0.0;
       for (int a = 0; a < 3; a++) v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];

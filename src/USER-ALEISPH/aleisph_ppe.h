@@ -11,7 +11,7 @@
    diagonal is positive and a residual r [pressure] means, times
    dt^2/(rho0 d^2), an error of |div v| dt in the fluid or of |v.n| dt/d at
    the wall. A singular wall row (|diagonal| < MIN_WALL_DIAGONAL) becomes
-   p = 0 and is counted; so does a fluid row without neighbours. A surface row
+   p = p_surf and is counted; so does a fluid row without neighbours. A surface row
    whose diagonal 1 - a sum_j N.g_ij is not above 1, and one without normal, is
    p_i = p_surf.
 ------------------------------------------------------------------------- */
@@ -47,7 +47,7 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
 
 // vstar: v* on fluid and wall; vwall: wall velocity v_wall on wall rows (3 doubles
 // per particle); div: (div v*) on fluid rows; p: prescribed on dirichlet rows;
-// p_surf: on surface rows.
+// p_surf: on surface and singular rows.
 void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
              const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
              double *b, double p_surf = 0.0);

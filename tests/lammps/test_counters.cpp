@@ -84,7 +84,7 @@ TEST(Counters, LagrangianBuildsOnceAStep)
     Script script = script_of(scene);
     script.predictor += std::string(" nu 0.1") + frame;
     sim.run(script.text() + STIR + "run 20");
-    EXPECT_EQ(builds(sim), each(21));    // and once for the set-up
+    EXPECT_EQ(builds(sim), each(21));              // and once for the set-up
     EXPECT_EQ(reported(sim, "wall passes"), 1);    // walls at rest keep their normals
 
     // the set-up of the second run needs no pressure, so that the stencil is all that is built
