@@ -58,16 +58,18 @@ def attempt_lammps(script, variables, folder, ranks=1, limit=None):
     """The same for a run that may fail or last too long (limit in seconds): what it printed, and
     how it failed, "" if it did not."""
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "output", "w+", encoding="ascii", errors="replace") as output:
+    with open(folder / "output", "w", encoding="ascii") as output:
+        process = subprocess.Popen(command_line(script, variables, ranks), cwd=folder,
+                                   env=environment(), stdin=subprocess.DEVNULL, stdout=output,
+                                   stderr=subprocess.STDOUT)
         try:
-            done = subprocess.run(command_line(script, variables, ranks), cwd=folder,
-                                  env=environment(), check=False, timeout=limit, stdout=output,
-                                  stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
-            failure = f"status {done.returncode}" if done.returncode else ""
+            failure = f"status {status}" if (status := process.wait(limit)) else ""
         except subprocess.TimeoutExpired:
+            process.terminate()  # mpirun ends its ranks, which it could not if it were killed
+            process.wait()
             failure = f"stopped after {limit:g} s"
     text = (folder / "output").read_text(encoding="ascii", errors="replace")
-    named = re.search(r"^ERROR.*", text, re.MULTILINE)
+    named = re.search(r"^ERROR.*?(?= \(src/|$)", text, re.MULTILINE)  # without the line in LAMMPS
     return text, named[0].strip() if failure and named else failure
 
 
