@@ -38,7 +38,8 @@ class Agreement(unittest.TestCase):
                 self.compare(name, "ranks-2", ranks=2)
 
     def test_four_ranks(self):
-        for name in (*VARIED, "taylor-green", "stokes-box-curlcurl"):
+        for name in (*VARIED, "taylor-green", "stokes-box-curlcurl", "square-patch", "tank-3d",
+                     "dam-break"):
             with self.subTest(name):
                 self.compare(name, "ranks-4", ranks=4)
 
