@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Draws a LAMMPS dump of particles as a picture: render.py DUMP PICTURE.png [options]
 
-One panel per field (--fields) and snapshot (--frame), every particle a disc as large as its spacing;
-with --profile a further panel of velocity profiles at all times of the dump, next to the exact
-solution. In three dimensions the fields show the particles near a plane (--slice z=0).
+One panel per field (--fields) and snapshot (--frame), every particle a disc as large as its
+spacing; with --profile a further panel of velocity profiles at all times of the dump, next to the
+exact solution. In three dimensions the fields show the particles near a plane (--slice z=0).
 Needs numpy and matplotlib (Debian: python3-matplotlib).
 """
 
