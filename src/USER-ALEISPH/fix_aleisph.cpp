@@ -183,6 +183,16 @@ FixAleisph *FixAleisph::find(LAMMPS *lmp, const std::string &caller)
   return dynamic_cast<FixAleisph *>(owners[0]);
 }
 
+void FixAleisph::check_fluid_fix(const Fix *fix) const
+{
+  if (modify->get_fix_by_style(fmt::format("^{}$", fix->style)).size() > 1)
+    error->all(FLERR, "Fix {}: there must be only one", fix->style);
+  for (const Fix *predictor : modify->get_fix_by_style("^aleisph/predictor$"))
+    if (predictor->igroup != fix->igroup)
+      error->all(FLERR, "Fix {}: group must be that of fix {}, {}", fix->style, predictor->id,
+                 group->names[predictor->igroup]);
+}
+
 void FixAleisph::add_role(Role role, int bit)
 {
   role_groups_.emplace_back(role, bit);

@@ -124,6 +124,9 @@ class FixAleisph : public Fix {
   // the one fix aleisph of this simulation, or an error that names the caller
   static FixAleisph *find(class LAMMPS *lmp, const std::string &caller);
 
+  // an error unless it is the only fix of its style and has the group of the predictor
+  void check_fluid_fix(const Fix *fix) const;
+
   // -- set by other styles in their init(), which comes after the owner's
   void add_role(aleisph::Role role, int groupbit);
   void add_velocity_condition(AleisphVelocityCondition *condition);

@@ -10,7 +10,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "group.h"
 #include "modify.h"
 #include "update.h"
 #include "utils.h"
@@ -83,12 +82,7 @@ int FixAleisphGuard::setmask()
 void FixAleisphGuard::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/guard");
-  if (modify->get_fix_by_style("^aleisph/guard$").size() > 1)
-    error->all(FLERR, "Fix aleisph/guard: there must be only one");
-  const auto predictors = modify->get_fix_by_style("^aleisph/predictor$");
-  if (!predictors.empty() && predictors[0]->igroup != igroup)
-    error->all(FLERR, "Fix aleisph/guard: group must be that of fix {}, {}", predictors[0]->id,
-               group->names[predictors[0]->igroup]);
+  owner_->check_fluid_fix(this);
   if (selfterm_ && !owner_->has_surface())
     error->all(FLERR, "Fix aleisph/guard: keyword selfterm needs a fix aleisph/surface");
   shifted_ = !modify->get_fix_by_style("^aleisph/shift$").empty();

@@ -10,9 +10,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "group.h"
 #include "input.h"
-#include "modify.h"
 #include "update.h"
 #include "utils.h"
 #include "variable.h"
@@ -143,12 +141,7 @@ int FixAleisphShift::setmask()
 void FixAleisphShift::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/shift");
-  if (modify->get_fix_by_style("^aleisph/shift$").size() > 1)
-    error->all(FLERR, "Fix aleisph/shift: there must be only one");
-  const auto predictors = modify->get_fix_by_style("^aleisph/predictor$");
-  if (!predictors.empty() && predictors[0]->igroup != igroup)
-    error->all(FLERR, "Fix aleisph/shift: group must be that of fix {}, {}", predictors[0]->id,
-               group->names[predictors[0]->igroup]);
+  owner_->check_fluid_fix(this);
   int flag, cols;
   if (atom->find_custom(SHIFT, flag, cols) < 0)
     error->all(FLERR, "Fix aleisph/shift needs frame ale in fix aleisph/predictor");

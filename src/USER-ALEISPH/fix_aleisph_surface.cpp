@@ -7,8 +7,6 @@
 #include "fix_aleisph_surface.h"
 
 #include "error.h"
-#include "group.h"
-#include "modify.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -70,12 +68,7 @@ int FixAleisphSurface::setmask()
 void FixAleisphSurface::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
-  if (modify->get_fix_by_style("^aleisph/surface$").size() > 1)
-    error->all(FLERR, "Fix aleisph/surface: there must be only one");
-  const auto predictors = modify->get_fix_by_style("^aleisph/predictor$");
-  if (!predictors.empty() && predictors[0]->igroup != igroup)
-    error->all(FLERR, "Fix aleisph/surface: group must be that of fix {}, {}", predictors[0]->id,
-               group->names[predictors[0]->igroup]);
+  owner_->check_fluid_fix(this);
   owner_->set_surface(surface_);
   const double support = owner_->discretization().kernel().support() / owner_->spacing();
   params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
