@@ -19,8 +19,8 @@ from pathlib import Path
 from result_table import read_results, table
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
-RENDER = Path(__file__).resolve().parent / "render.py"
-PICTURE = re.compile(r"^python3 \.\./\.\./tools/render\.py (.*)$", re.MULTILINE)
+TOOLS = Path(__file__).resolve().parent
+PICTURE = re.compile(r"^python3 \.\./\.\./tools/((?:render|view)\.py) (.*)$", re.MULTILINE)
 TABLE = re.compile(r"(<!-- results -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
@@ -43,8 +43,9 @@ def store_log(log, target, example):
 
 def draw(example, readme, folder):
     """The picture, by the command that the README gives to the reader."""
-    words = PICTURE.search(readme)[1].replace("../../", f"{EXAMPLES.parent}/").split()
-    subprocess.run([sys.executable, str(RENDER), *words], cwd=folder, check=True)
+    program, arguments = PICTURE.search(readme).groups()
+    words = arguments.replace("../../", f"{EXAMPLES.parent}/").split()
+    subprocess.run([sys.executable, str(TOOLS / program), *words], cwd=folder, check=True)
     picture = words[1]
     (EXAMPLES / example / picture).write_bytes((folder / picture).read_bytes())
 
