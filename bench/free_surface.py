@@ -172,10 +172,10 @@ def report(patch, dam, curves, out):
     text = (f"Rotating patch, omega t = 0.1 to 2\n\n{common.markdown(patch, PATCH)}\n"
             f"Dam break, T = 0.41 to 3.33\n\n{common.markdown(dam, DAM)}")
     (out / "free_surface.md").write_text(text, encoding="ascii")
-    panels = [("patch: largest error of the centre pressure (n = L/d)", patch),
-              ("dam break: rms of the front from the experiment (n = a/d)",
+    panels = [("patch: error of the centre pressure (n = L/d)", patch),
+              ("dam break: front, from the experiment (n = a/d)",
                with_error(dam, "rms experiment")),
-              ("dam break: rms from the finest run of each series",
+              ("dam break: front, from each series' finest run",
                with_error(dam, "rms own finest"))]
     panels = [(title, rows) for title, rows in panels if rows]
     plot.figure(panels, out / "free_surface.png", "one process on one core per run",
