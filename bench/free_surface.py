@@ -153,7 +153,7 @@ def stored(path, case=None):
     with open(path, encoding="ascii") as lines:
         rows = [{key: number_or_text(x) for key, x in row.items() if x}
                 for row in csv.DictReader(lines)]
-    return [row for row in rows if case in (None, row["case"])]
+    return [row for row in rows if case is None or row["case"] == case]
 
 
 def number_or_text(word):

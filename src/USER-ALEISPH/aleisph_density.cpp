@@ -6,6 +6,7 @@
 
 #include "aleisph_images.h"
 #include "aleisph_shift.h"
+#include "aleisph_surface_shape.h"
 
 #include <cmath>
 
@@ -60,12 +61,16 @@ void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid
   const double reach = published ? nearest_reach(kernel.dim(), d) : kernel.support();
   const DensityScale scale = density_scale(kernel, d, reach);
   Images images(s, role, normal, d, kernel.support(), true);
+  const SurfaceShape shape(kernel, d);
   for (const int i : fluid) {
-    double sum = kernel.w(0.0) + sum_near(s, kernel, i, reach);
-    if (!published)
-      for (const Eigen::Vector3d &r : images.of(i)) sum += kernel.w(r.norm());
-    const bool flat = !published && (role[i] & SURFACE);
-    eps[i] = scale.beta * volume * sum - (flat ? scale.flat : 1.0);
+    double sum = kernel.w(0.0) + sum_near(s, kernel, i, reach), expected = 1.0;
+    if (!published) {
+      const auto &more = images.of(i);
+      for (const Eigen::Vector3d &r : more) sum += kernel.w(r.norm());
+      if (role[i] & SURFACE)
+        expected = sees_wall(s, role, i) ? scale.flat : shape.density(shape.asymmetry(s, i));
+    }
+    eps[i] = scale.beta * volume * sum - expected;
     if (!published && std::fabs(eps[i]) < IMAGE_ERROR && sees_wall(s, role, i)) eps[i] = 0.0;
   }
 }

@@ -8,6 +8,7 @@
 #include "aleisph_shift.h"
 
 #include "aleisph_images.h"
+#include "aleisph_surface_shape.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace aleisph {
 namespace {
 
 using Vec = Eigen::Vector3d;
+constexpr double ALIGNED = 0.9;    // cosine between normals of neighbours on one smooth surface
 
 // a particle lies above a wall particle if it is off its normal by fewer spacings than this
 constexpr double ABOVE = 0.8;
@@ -63,15 +65,17 @@ struct Scene {
 class DensityShift {
  public:
   DensityShift(const Scene &scene, const double *eps) :
-      c_(scene), eps_(eps), reach_(nearest_reach(scene.s.dim(), scene.d))
+      c_(scene), eps_(eps), reach_(nearest_reach(scene.s.dim(), scene.d)),
+      shape_(scene.kernel, scene.d)
   {
   }
 
   Vec operator()(int i) const
   {
-    Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
-    if (!c_.params.published && c_.on_surface(i)) dr += smooth(i);
-    return dr;
+    const Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
+    if (c_.params.published || !c_.on_surface(i)) return dr;
+    const double corner = sees_wall(i) ? 0.0 : shape_.corner(shape_.asymmetry(c_.s, i));
+    return (1.0 - corner) * (dr + smooth(i));
   }
 
  private:
@@ -100,6 +104,13 @@ class DensityShift {
     return even + density;
   }
 
+  bool sees_wall(int i) const
+  {
+    for (int k = c_.s.begin(i); k < c_.s.end(i); k++)
+      if (c_.role[c_.s.col()[k]] & WALL) return true;
+    return false;
+  }
+
   // b_i N_i: towards the mean height of the surface neighbours
   Vec smooth(int i) const
   {
@@ -110,7 +121,7 @@ class DensityShift {
       const int j = s.col()[k];
       if (!c_.on_surface(j) || !bound_fluid(c_.role[j])) continue;
       const Vec Nj = at(c_.normal, j);
-      if (!(N.dot(Nj) > 0.3)) continue;
+      if (!(N.dot(Nj) > ALIGNED)) continue;
       const double w = c_.kernel.w(s.r()[k]);
       sum -= 0.5 * w * s.r()[k] * direction(s, k).dot(N + Nj);
       weights += w;
@@ -121,6 +132,7 @@ class DensityShift {
   const Scene &c_;
   const double *eps_;
   double reach_;
+  SurfaceShape shape_;
 };
 
 /* ---------------------------------------------------------------------- */
