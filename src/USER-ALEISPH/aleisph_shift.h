@@ -13,7 +13,8 @@
             with the value on a flat surface; a position filter smooths the surface:
               dr += smoothing * b_i N_i,
               b_i = sum_j w r_ji.(N_i + N_j)/2 / sum_j w over surface neighbours with
-              N_i.N_j > 0.3 that are not ballistic, w = V W_ij
+              N_i.N_j > 0.9 that are not ballistic, w = V W_ij; at corners of the surface eps
+              expects less and dr fades out, see aleisph_surface_shape.h
    fickian  Lind, Xu, Stansby & Rogers, J. Comput. Phys. 231 (2012) 1499:
             dr = -D grad C, grad C = sum_j V (1 + 0.2 (W_ij/W(d))^4) gradW_ij,
             on the surface only the tangential part; D = C h^2
