@@ -120,7 +120,7 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
 
 void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
              const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
-             double *b, double p_surf)
+             double *b, double p_surf, const double *tension)
 {
   const int n = static_cast<int>(type.size());
   for (int i = 0; i < n; i++) {
@@ -128,6 +128,7 @@ void ppe_rhs(const std::vector<RowType> &type, const double *normal, const doubl
     if (type[i] == RowType::FLUID) b[i] = -d * d * rho_over_dt * div[i];
     if (type[i] == RowType::DIRICHLET) b[i] = p[i];
     if (type[i] == RowType::SURFACE || type[i] == RowType::SINGULAR) b[i] = p_surf;
+    if (tension && type[i] == RowType::SURFACE) b[i] += tension[i];
     if (type[i] == RowType::WALL) {
       double v_n = 0.0;
       for (int a = 0; a < 3; a++) v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];

@@ -47,10 +47,10 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
 
 // vstar: v* on fluid and wall; vwall: wall velocity v_wall on wall rows (3 doubles
 // per particle); div: (div v*) on fluid rows; p: prescribed on dirichlet rows;
-// p_surf: on surface and singular rows.
+// p_surf: on surface and singular rows; tension: added on surface rows, null if there is none.
 void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
              const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
-             double *b, double p_surf = 0.0);
+             double *b, double p_surf = 0.0, const double *tension = nullptr);
 
 }    // namespace aleisph
 #endif

@@ -17,6 +17,7 @@ enum class Part {
   STENCIL,
   OPERATORS,
   SURFACE,
+  TENSION,
   MOMENTUM,
   ASSEMBLY,
   PRECONDITIONER,
@@ -24,12 +25,12 @@ enum class Part {
   SHIFT,
   COMM
 };
-constexpr int NUM_PARTS = 10;
+constexpr int NUM_PARTS = 11;
 
 inline const char *to_string(Part part)
 {
   static const char *const names[NUM_PARTS] = {
-      "outside",  "stencil",        "operators", "surface", "momentum",
+      "outside",  "stencil",        "operators", "surface", "tension",      "momentum",
       "assembly", "preconditioner", "solve",     "shift",   "communication"};
   return names[static_cast<int>(part)];
 }

@@ -14,6 +14,9 @@
 #include "update.h"
 #include "utils.h"
 
+#include <algorithm>
+#include <iterator>
+
 using namespace LAMMPS_NS;
 
 ComputeAleisphAtom::ComputeAleisphAtom(LAMMPS *lmp, int narg, char **arg) :
@@ -25,7 +28,7 @@ ComputeAleisphAtom::ComputeAleisphAtom(LAMMPS *lmp, int narg, char **arg) :
     if (!parse(arg[iarg], field))
       error->all(FLERR,
                  "Compute aleisph/atom: unknown field {}, use p, divv, lambda, cond, nx, ny, nz, "
-                 "row, nneigh, surface, rho, ux, uy or uz",
+                 "row, nneigh, surface, rho, ux, uy, uz, kappa, ptension, tnx, tny, tnz or contact",
                  arg[iarg]);
     fields_.push_back(field);
   }
@@ -41,14 +44,13 @@ ComputeAleisphAtom::~ComputeAleisphAtom()
 
 bool ComputeAleisphAtom::parse(const std::string &word, Field &field)
 {
-  static const char *const names[] = {"p",   "divv",   "lambda",  "cond", "nx", "ny", "nz",
-                                      "row", "nneigh", "surface", "rho",  "ux", "uy", "uz"};
-  for (int k = 0; k < 14; k++)
-    if (word == names[k]) {
-      field = static_cast<Field>(k);
-      return true;
-    }
-  return false;
+  static const char *const names[] = {"p",     "divv",     "lambda",  "cond", "nx",  "ny",     "nz",
+                                      "row",   "nneigh",   "surface", "rho",  "ux",  "uy",     "uz",
+                                      "kappa", "ptension", "tnx",     "tny",  "tnz", "contact"};
+  const auto found = std::find(std::begin(names), std::end(names), word);
+  if (found == std::end(names)) return false;
+  field = static_cast<Field>(found - std::begin(names));
+  return true;
 }
 
 void ComputeAleisphAtom::init()
@@ -141,7 +143,28 @@ double ComputeAleisphAtom::value(Field field, int i)
       const double *u = owner_->custom("aleisph_u");
       return u ? u[3 * i + static_cast<int>(field) - static_cast<int>(Field::UX)] : 0.0;
     }
+    case Field::KAPPA:
+    case Field::PTENSION:
+    case Field::TNX:
+    case Field::TNY:
+    case Field::TNZ:
+    case Field::CONTACT: return tension_value(field, i);
     default: return owner_->row_types().empty() ? 0 : static_cast<int>(owner_->row_types()[i]);
+  }
+}
+
+// zero if there is no surface tension
+double ComputeAleisphAtom::tension_value(Field field, int i) const
+{
+  const AleisphTension *tension = owner_->tension();
+  if (!tension) return 0.0;
+  switch (field) {
+    case Field::KAPPA: return tension->curvature()[i];
+    case Field::PTENSION: return tension->surface_pressure()[i];
+    case Field::CONTACT: return tension->contact() ? tension->contact()[4 * i + 3] : 0.0;
+    default:
+      return tension
+          ->surface_normal()[3 * i + static_cast<int>(field) - static_cast<int>(Field::TNX)];
   }
 }
 

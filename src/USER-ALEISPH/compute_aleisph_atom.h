@@ -30,7 +30,28 @@ class ComputeAleisphAtom : public Compute {
   double memory_usage() override;
 
  private:
-  enum class Field { P, DIVV, LAMBDA, COND, NX, NY, NZ, ROW, NNEIGH, SURFACE, RHO, UX, UY, UZ };
+  enum class Field {
+    P,
+    DIVV,
+    LAMBDA,
+    COND,
+    NX,
+    NY,
+    NZ,
+    ROW,
+    NNEIGH,
+    SURFACE,
+    RHO,
+    UX,
+    UY,
+    UZ,
+    KAPPA,
+    PTENSION,
+    TNX,
+    TNY,
+    TNZ,
+    CONTACT
+  };
 
   static bool parse(const std::string &word, Field &field);
   void fill(Field field, double *out, int stride);
@@ -38,6 +59,7 @@ class ComputeAleisphAtom : public Compute {
   std::vector<double> density() const;
   double surface_kind(int i) const;
   double value(Field field, int i);
+  double tension_value(Field field, int i) const;
 
   std::vector<Field> fields_;
   class FixAleisph *owner_;

@@ -56,12 +56,13 @@ class MpiInnerProduct : public aleisph::InnerProduct {
 // position of a style in the order that a script must follow, -1 if not one of ours
 int rank_in_script(const std::string &style)
 {
-  static const char *const order[] = {"aleisph",         "aleisph/wall",      "aleisph/pressure",
-                                      "aleisph/surface", "aleisph/predictor", "aleisph/ppe",
-                                      "aleisph/shift",   "aleisph/guard",     "aleisph/dt"};
-  static const int rank[] = {0, 1, 1, 2, 3, 4, 5, 6, 7};
-  for (int k = 0; k < 9; k++)
-    if (style == order[k]) return rank[k];
+  static const std::pair<const char *, int> order[] = {
+      {"aleisph", 0},         {"aleisph/wall", 1},    {"aleisph/pressure", 1},
+      {"aleisph/surface", 2}, {"aleisph/tension", 3}, {"aleisph/predictor", 4},
+      {"aleisph/ppe", 5},     {"aleisph/shift", 6},   {"aleisph/guard", 7},
+      {"aleisph/dt", 8}};
+  for (const auto &entry : order)
+    if (style == entry.first) return entry.second;
   return -1;
 }
 
@@ -71,9 +72,9 @@ int rank_in_script(const std::string &style)
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
-    list_(nullptr), pressure_guard_(nullptr), moving_(false), adaptive_(false),
-    pressure_valid_(false), walls_located_(false), ndry_(0), own_cutoff_(0.0), version_(0),
-    halo_field_(nullptr), halo_ncomp_(0)
+    list_(nullptr), pressure_guard_(nullptr), tension_(nullptr), nu_(0.0), reach_(0.0),
+    moving_(false), adaptive_(false), pressure_valid_(false), walls_located_(false), ndry_(0),
+    own_cutoff_(0.0), version_(0), halo_field_(nullptr), halo_ncomp_(0)
 {
   parse(narg, arg);
 
@@ -268,13 +269,15 @@ void FixAleisph::init()
   walls_.clear();
   step_limits_.clear();
   pressure_guard_ = nullptr;
+  tension_ = nullptr;
   set_surface(AleisphSurface{false, 0.0, 0.0, 0.0, 0.0});
   moving_ = adaptive_ = walls_located_ = false;
 
   check_integrator();
   check_companions();
   check_fix_order();
-  set_cutoff();
+  reach_ = 0.0;
+  require_reach(discretization_->kernel().support());
   neighbor->add_request(this, NeighConst::REQ_FULL)
       ->set_cutoff(discretization_->kernel().support());
   timers_.reset();
@@ -333,14 +336,15 @@ void FixAleisph::check_fix_order() const
   }
 }
 
-void FixAleisph::set_cutoff()
+void FixAleisph::require_reach(double reach)
 {
-  const double needed = discretization_->kernel().support() + neighbor->skin;
+  reach_ = std::max(reach_, reach);
+  const double needed = reach_ + neighbor->skin;
   if (comm->cutghostuser == 0.0 || comm->cutghostuser == own_cutoff_) {
     comm->cutghostuser = own_cutoff_ = needed;
   } else if (comm->cutghostuser < needed) {
     error->all(FLERR,
-               "Fix aleisph: communication cutoff {} is smaller than support + skin; use "
+               "Fix aleisph: communication cutoff {} is smaller than reach + skin; use "
                "comm_modify cutoff {} or none at all",
                comm->cutghostuser, needed);
   }

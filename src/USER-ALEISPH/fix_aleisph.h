@@ -86,6 +86,19 @@ class AleisphTimeStepLimit {
   ~AleisphTimeStepLimit() = default;
 };
 
+// Surface tension. Fields of owned particles, zero away from the surface, valid from pre_force on.
+class AleisphTension {
+ public:
+  virtual const double *surface_pressure() const = 0;    // above that outside
+  virtual const double *curvature() const = 0;           // K = div_s N
+  virtual const double *surface_normal() const = 0;      // N, outward; 3 per particle
+  // N_c and whether it is a contact particle, 4 per particle; null without walls
+  virtual const double *contact() const = 0;
+
+ protected:
+  ~AleisphTension() = default;
+};
+
 // What a free surface means to other styles
 struct AleisphSurface {
   bool present = false;
@@ -134,6 +147,10 @@ class FixAleisph : public Fix {
   void add_wall(AleisphWall *wall) { walls_.push_back(wall); }
   void set_pressure_guard(AleisphPressureGuard *guard) { pressure_guard_ = guard; }
   void set_surface(const AleisphSurface &surface);
+  void set_tension(const AleisphTension *tension) { tension_ = tension; }
+  void set_viscosity(double nu) { nu_ = nu; }
+  // neighbours up to this distance are asked for: ghosts must reach as far
+  void require_reach(double reach);
   void add_time_step_limit(const AleisphTimeStepLimit *limit) { step_limits_.push_back(limit); }
   void set_adaptive_time_step() { adaptive_ = true; }
   void set_moving() { moving_ = true; }
@@ -156,6 +173,8 @@ class FixAleisph : public Fix {
   double *wall_shape() { return shape_.data(); }
   // while normals are being found: those of the step before (3 per owned particle), zero if none
   const double *previous_normal() const { return previous_normal_.data(); }
+  const AleisphTension *tension() const { return tension_; }    // null if there is none
+  double viscosity() const { return nu_; }                      // kinematic, of the predictor
   bool has_surface() const { return surface_.present; }
   const AleisphSurface &surface() const { return surface_; }
   // roles that the free surface adds; the caller makes ghosts valid by forward_roles()
@@ -209,7 +228,6 @@ class FixAleisph : public Fix {
   void check_companions() const;
   void check_fix_order() const;
   void check_masses() const;
-  void set_cutoff();
   void check_atoms();
   void assign_roles();
   bool positions_changed();
@@ -233,7 +251,9 @@ class FixAleisph : public Fix {
   std::vector<AleisphWall *> walls_;
   std::vector<const AleisphTimeStepLimit *> step_limits_;
   AleisphPressureGuard *pressure_guard_;
+  const AleisphTension *tension_;
   AleisphSurface surface_;
+  double nu_, reach_;
   bool moving_, adaptive_, pressure_valid_, walls_located_;
   int ndry_;
   double own_cutoff_;    // ghost cutoff that this fix has set, 0 if none

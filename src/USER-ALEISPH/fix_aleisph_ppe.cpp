@@ -184,8 +184,8 @@ aleisph::PpeOptions FixAleisphPPE::options() const
   if (!owner_->has_surface()) return options;
   options.surface_offset = owner_->surface().offset * owner_->spacing();
   const auto &disc = owner_->discretization();
-  options.min_wall_lambda =
-      MIN_WALL_LAMBDA * aleisph::lattice_corner_lambda(disc.kernel(), disc.spacing());
+  options.min_wall_lambda = MIN_WALL_LAMBDA *
+      aleisph::lattice_corner_lambda(disc.kernel(), disc.spacing());
   options.min_wall_fluid = domain->dimension == 2 ? MIN_WALL_FLUID_2D : MIN_WALL_FLUID_3D;
   return options;
 }
@@ -216,7 +216,8 @@ void FixAleisphPPE::right_hand_side()
   }
   aleisph::ppe_rhs(owner_->row_types(), owner_->normal(), owner_->vstar(), vwall, div_.data(),
                    owner_->pressure(), disc.spacing(), owner_->rho0() / update->dt, rhs_.data(),
-                   owner_->surface().pressure);
+                   owner_->surface().pressure,
+                   owner_->tension() ? owner_->tension()->surface_pressure() : nullptr);
 }
 
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)

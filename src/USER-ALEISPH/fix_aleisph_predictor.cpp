@@ -167,6 +167,7 @@ void FixAleisphPredictor::init()
 
   nu_ = owner_->fluid().nu;
   if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->rho0() : params_.nu;
+  owner_->set_viscosity(nu_);
   viscous_version_ = -1;
   check_shift();
   check_other_integrators();

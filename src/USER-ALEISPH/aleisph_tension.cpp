@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Normals and curvature. The tangent plane of i enters as the projector
+   P = 1 - N (x) N (- z (x) z in 2d), so that both dimensions and all
+   directions are treated alike and no frame has to be chosen.
+------------------------------------------------------------------------- */
+
+#include "aleisph_tension.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace aleisph {
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+// A sum shorter than this part of the sum of the moduli of its terms has no direction.
+constexpr double NO_DIRECTION = 1.0e-6;
+
+// Normals further apart (73 degrees) belong to different surfaces: the other side of a film, the
+// other flank of a cusp. It must let pass 45 degrees, the turn between the rim and the edge of a
+// cube.
+constexpr double MIN_COSINE = 0.3;
+
+// The second bracket, -sum V dW/dr r along a direction of the tangent plane, has no unit. With
+// the cubic spline and h = 1.2 d it is 0.58 on a straight line of particles, 0.43 on a flat
+// layer, 0.25 for a single neighbour at d, 0.05 at 2 d, 0.02 at 2.1 d. Below, there is nothing
+// in that direction but on the brim of the support.
+constexpr double MIN_BRACKET = 0.02;
+
+constexpr int FEW = 3;
+constexpr double MEAN_REACH = 2.4;    // of the averaging, in spacings
+
+inline bool is_surface(Role role)
+{
+  return (role & FLUID) && (role & SURFACE) && !(role & BALLISTIC);
+}
+
+inline bool is_fluid(Role role)
+{
+  return (role & FLUID) && !(role & WALL);
+}
+
+inline Vec3 vec(const double *v, int i)
+{
+  return Eigen::Map<const Vec3>(v + 3 * i);
+}
+
+inline Vec3 pair_vector(const Stencil &s, int k)
+{
+  return Vec3(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
+}
+
+bool few_neighbours(const Stencil &s, const Role *role, int i)
+{
+  const int *col = s.col();
+  return std::count_if(col + s.begin(i), col + s.end(i),
+                       [role](int j) { return is_fluid(role[j]); }) < FEW;
+}
+
+// sum of vectors that is zero where only rounding or cancellation is left
+class Direction {
+ public:
+  void add(const Vec3 &term)
+  {
+    sum_ += term;
+    moduli_ += term.norm();
+  }
+  void store(double *v, int i) const
+  {
+    const bool none = !(sum_.norm() > NO_DIRECTION * moduli_);
+    Eigen::Map<Vec3>(v + 3 * i) = none ? Vec3(Vec3::Zero()) : sum_;
+  }
+
+ private:
+  Vec3 sum_ = Vec3::Zero();
+  double moduli_ = 0.0;
+};
+
+// The brackets of step 2. Neighbours are added with r_ij, gradW_ij and N_j.
+class Brackets {
+ public:
+  Brackets(const Vec3 &N, int dim) : N_(N), others_(N * N.transpose())
+  {
+    if (dim == 2) others_(2, 2) += 1.0;
+    tangent_ = Mat3::Identity() - others_;
+  }
+
+  void add(const Vec3 &r, const Vec3 &v_grad_w, const Vec3 &N)
+  {
+    const Vec3 slope = tangent_ * v_grad_w;
+    turn_ += (tangent_ * (N - N_)) * slope.transpose();
+    moment_ -= slope * (tangent_ * r).transpose();
+  }
+
+  // tr(turn moment^-1) in the tangent plane; false if the moment has no inverse there. Off the
+  // plane the moment is completed by 1, the turn is 0.
+  bool trace(double &K) const
+  {
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moment_ + others_);
+    if (!(eigen.eigenvalues()[0] > MIN_BRACKET)) return false;
+    const Mat3 &u = eigen.eigenvectors();
+    K = 0.0;
+    for (int a = 0; a < 3; a++) K += u.col(a).dot(turn_ * u.col(a)) / eigen.eigenvalues()[a];
+    return true;
+  }
+
+ private:
+  const Vec3 N_;
+  Mat3 others_, tangent_, turn_ = Mat3::Zero(), moment_ = Mat3::Zero();
+};
+
+bool local_curvature(const Stencil &s, const Role *role, const double *N, double volume, int i,
+                     double &K)
+{
+  const Vec3 Ni = vec(N, i);
+  if (Ni.isZero(0.0)) return false;
+  Brackets brackets(Ni, s.dim());
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    const int j = s.col()[k];
+    if (!is_surface(role[j])) continue;
+    const Vec3 Nj = vec(N, j), e = pair_vector(s, k);
+    if (Ni.dot(Nj) > MIN_COSINE) brackets.add(s.r()[k] * e, volume * s.dw()[k] * e, Nj);
+  }
+  return brackets.trace(K);
+}
+
+// mean over i and its neighbours with known K; 0 if there is none
+double local_mean(const Stencil &s, const Role *role, const double *N, const double *K,
+                  const double *known, double reach, int i)
+{
+  const Vec3 Ni = vec(N, i);
+  double sum = known[i] > 0.0 ? K[i] : 0.0, weights = known[i] > 0.0 ? 1.0 : 0.0;
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    const int j = s.col()[k];
+    if (s.r()[k] >= reach || !is_surface(role[j]) || !(known[j] > 0.0)) continue;
+    if (!(Ni.dot(vec(N, j)) > MIN_COSINE)) continue;
+    const double w = 1.0 - s.r()[k] / reach;
+    sum += w * K[j];
+    weights += w;
+  }
+  return weights > 0.0 ? sum / weights : 0.0;
+}
+
+double limit(double K, double bound, CurvatureCount &count)
+{
+  if (std::abs(K) <= bound) return K;
+  count.limited++;
+  return std::copysign(bound, K);
+}
+
+/* ----------------------------------------------------------------------
+   From a layer of curvature K to the parallel surface d/2 outside of it:
+   each radius R = m/K (m = dim - 1 equal principal curvatures) becomes
+   R + d/2. It rises with K, and has a pole at K = -2 m/d, where the centre of a
+   hollow is on the true surface; -1/d, the bound, is reached well before
+   it, at K = -2 m/((2 m + 1) d).
+------------------------------------------------------------------------- */
+double outer_curvature(double K, double d, int dim, CurvatureCount &count)
+{
+  const double m = dim - 1.0, bound = 1.0 / d;
+  const bool too_hollow = K < -2.0 * m / ((2.0 * m + 1.0) * d);
+  const double outer = too_hollow ? -INFINITY : K / (1.0 + 0.5 * K * d / m);
+  return limit(outer, bound, count);
+}
+
+}    // namespace
+
+Kernel wide_kernel(int dim, double d)
+{
+  return Kernel(KernelType::WENDLAND_C2, dim, WIDE_H * d);
+}
+
+Rows surface_rows(const Rows &fluid, const Role *role)
+{
+  Rows rows;
+  std::copy_if(fluid.begin(), fluid.end(), std::back_inserter(rows),
+               [role](int i) { return is_surface(role[i]); });
+  return rows;
+}
+
+void wide_gradient(const Stencil &wide, const Rows &rows, const Role *role, double volume,
+                   double *N)
+{
+  for (int i : rows) {
+    Direction outward;
+    for (int k = wide.begin(i); k < wide.end(i); k++)
+      if (is_fluid(role[wide.col()[k]])) outward.add(-volume * wide.dw()[k] * pair_vector(wide, k));
+    outward.store(N, i);
+  }
+}
+
+int normalise(const Rows &rows, double *N)
+{
+  int none = 0;
+  for (int i : rows) {
+    Eigen::Map<Vec3> n(N + 3 * i);
+    const double length = n.norm();
+    if (length > 0.0)
+      n /= length;
+    else
+      none++;
+  }
+  return none;
+}
+
+void eigenvalue_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
+                         const double *lambda, double *N)
+{
+  for (int i : rows) {
+    Direction outward;
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      const Vec3 g_ij(g.g(0)[k], g.g(1)[k], s.dim() == 3 ? g.g(2)[k] : 0.0);
+      outward.add((lambda[i] - lambda[s.col()[k]]) * g_ij);
+    }
+    outward.store(N, i);
+  }
+}
+
+CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role *role,
+                                 const double *N, double volume, double *K, double *known)
+{
+  CurvatureCount count;
+  for (int i : rows) {
+    const bool few = few_neighbours(s, role, i);
+    K[i] = 0.0;
+    known[i] = !few && local_curvature(s, role, N, volume, i, K[i]) ? 1.0 : 0.0;
+    if (few)
+      count.few++;
+    else if (known[i] == 0.0)
+      count.unknown++;
+  }
+  return count;
+}
+
+void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *N,
+                      const double *K, const double *known, double d, double *mean,
+                      CurvatureCount &count)
+{
+  for (int i : rows) {
+    mean[i] = 0.0;
+    if (few_neighbours(s, role, i)) continue;
+    const double layer = local_mean(s, role, N, K, known, MEAN_REACH * d, i);
+    mean[i] = outer_curvature(layer, d, s.dim(), count);
+  }
+}
+
+CurvatureCount published_curvature(const Stencil &s, const GradientWeights &g, const Rows &rows,
+                                   const Role *role, const double *N, double factor, double d,
+                                   double *K)
+{
+  CurvatureCount count;
+  for (int i : rows) {
+    K[i] = 0.0;
+    if (few_neighbours(s, role, i)) {
+      count.few++;
+      continue;
+    }
+    const Vec3 Ni = vec(N, i);
+    if (Ni.isZero(0.0)) continue;
+    double kappa = 0.0;
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      const int j = s.col()[k];
+      if (!is_surface(role[j])) continue;
+      const Vec3 Nj = vec(N, j);
+      if (Nj.isZero(0.0)) continue;
+      const Vec3 g_ij(g.g(0)[k], g.g(1)[k], s.dim() == 3 ? g.g(2)[k] : 0.0);
+      kappa += factor * (Nj - Ni).dot(g_ij);
+    }
+    K[i] = limit((s.dim() - 1) * kappa, 1.0 / d, count);
+  }
+  return count;
+}
+
+double normal_strain(const double *N, const double *grad_v, int dim)
+{
+  double rate = 0.0;
+  for (int a = 0; a < dim; a++)
+    for (int b = 0; b < dim; b++) rate += N[a] * grad_v[3 * a + b] * N[b];
+  return rate;
+}
+
+}    // namespace aleisph

@@ -1,0 +1,424 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_tension.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "update.h"
+#include "utils.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using aleisph::Part;
+using aleisph::StepBound;
+
+namespace {
+
+constexpr double DEGREE = 3.14159265358979323846 / 180.0;
+constexpr double NEUTRAL = 0.0;    // cosine on walls that no keyword angle names: 90 degrees
+constexpr double MAX_FILTER = 1.0;
+constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
+
+}    // namespace
+
+FixAleisphTension::FixAleisphTension(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), model_(Model::TANGENT), sigma_(-1.0), factor_(0.41), delta_(0.1),
+    filter_(0.0), pressure_form_(true), force_form_(false), viscous_(true), form_given_(false),
+    viscous_given_(false), owner_(nullptr), list_(nullptr), walls_(false), ncontact_(0),
+    undirected_(0), version_(-1)
+{
+  parse(narg, arg);
+  vector_flag = 1;
+  size_vector = 8;
+  global_freq = 1;
+  extvector = 0;
+}
+
+void FixAleisphTension::parse(int narg, char **arg)
+{
+  std::string published_only;
+  int iarg = 3;
+  while (iarg < narg) {
+    const std::string key = arg[iarg];
+    const int nvalues = key == "angle" ? 2 : 1;
+    if (iarg + nvalues >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/tension " + key, error);
+    const std::string value = arg[iarg + 1];
+    const auto positive = [&]() {
+      const double x = utils::numeric(FLERR, value, false, lmp);
+      if (!(x >= 0.0) || !std::isfinite(x))
+        error->all(FLERR, "Fix aleisph/tension: {} must not be negative, it is {}", key, value);
+      return x;
+    };
+    if (key == "sigma") {
+      sigma_ = positive();
+    } else if (key == "model") {
+      if (value != "tangent" && value != "published")
+        error->all(FLERR, "Fix aleisph/tension: model must be tangent or published, not {}", value);
+      model_ = value == "tangent" ? Model::TANGENT : Model::PUBLISHED;
+    } else if (key == "form") {
+      set_form(value);
+    } else if (key == "angle") {
+      angles_.push_back(parse_angle(value, arg[iarg + 2]));
+    } else if (key == "viscous") {
+      viscous_ = utils::logical(FLERR, value, false, lmp);
+      viscous_given_ = true;
+    } else if (key == "filter") {
+      filter_ = positive();
+    } else if (key == "factor") {
+      factor_ = positive();
+      published_only = key;
+    } else if (key == "delta") {
+      delta_ = positive();
+      published_only = key;
+    } else
+      error->all(FLERR, "Fix aleisph/tension: unknown keyword {}", key);
+    iarg += 1 + nvalues;
+  }
+  const bool published = model_ == Model::PUBLISHED;
+  if (!published && !published_only.empty())
+    error->all(FLERR, "Fix aleisph/tension: keyword {} needs model published", published_only);
+  if (published && !form_given_) set_form("both");
+  if (published && !viscous_given_) viscous_ = false;
+  if (!published) delta_ = 1.0;    // the force acts on one layer of particles
+}
+
+void FixAleisphTension::set_form(const std::string &word)
+{
+  if (word != "pressure" && word != "force" && word != "both")
+    error->all(FLERR, "Fix aleisph/tension: form must be pressure, force or both, not {}", word);
+  pressure_form_ = word != "force";
+  force_form_ = word != "pressure";
+  form_given_ = true;
+}
+
+FixAleisphTension::Angle FixAleisphTension::parse_angle(const std::string &name,
+                                                        const std::string &value)
+{
+  const int id = group->find(name);
+  if (id < 0)
+    error->all(FLERR, "Fix aleisph/tension: keyword angle: there is no group {} of walls", name);
+  Angle angle = {group->bitmask[id], name, "", NEUTRAL};
+  if (utils::strmatch(value, "^v_"))
+    angle.variable = value.substr(2);
+  else
+    angle.cosine = cosine_of(utils::numeric(FLERR, value, false, lmp), value);
+  return angle;
+}
+
+double FixAleisphTension::cosine_of(double degrees, const std::string &source) const
+{
+  if (!(degrees > 0.0) || !(degrees < 180.0))
+    error->all(FLERR, "Fix aleisph/tension: angle must lie between 0 and 180 degrees, not {}",
+               source);
+  return std::cos(degrees * DEGREE);
+}
+
+int FixAleisphTension::setmask()
+{
+  int mask = PRE_FORCE;
+  if (force_form_) mask |= POST_FORCE;
+  return mask;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphTension::init()
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
+  owner_->check_fluid_fix(this);
+  if (!owner_->has_surface())
+    error->all(FLERR, "Fix aleisph/tension needs a fix aleisph/surface, defined before it");
+  if (sigma_ < 0.0) {
+    if (owner_->fluid().sigma <= 0.0)
+      error->all(FLERR,
+                 "Fix aleisph/tension: keyword sigma is required, the fluid of fix aleisph has no "
+                 "surface tension");
+    sigma_ = owner_->fluid().sigma;
+  }
+  walls_ = !modify->get_fix_by_style("^aleisph/wall$").empty();
+  if (!walls_ && !angles_.empty())
+    error->all(FLERR, "Fix aleisph/tension: keyword angle needs a fix aleisph/wall");
+  resolve_variables();
+  version_ = -1;
+
+  owner_->set_tension(this);
+  owner_->add_time_step_limit(this);
+  if (filter_ > 0.0) owner_->add_acceleration(this);
+  if (model_ == Model::TANGENT) {
+    const double reach = aleisph::wide_kernel(domain->dimension, owner_->spacing()).support();
+    owner_->require_reach(reach);
+    neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(reach);
+  }
+}
+
+void FixAleisphTension::init_list(int, NeighList *list)
+{
+  list_ = list;
+}
+
+void FixAleisphTension::resolve_variables() const
+{
+  for (const auto &angle : angles_) {
+    if (angle.variable.empty()) continue;
+    const int ivar = input->variable->find(angle.variable.c_str());
+    if (ivar < 0 || !(input->variable->equalstyle(ivar) || input->variable->atomstyle(ivar)))
+      error->all(FLERR, "Fix aleisph/tension: {} is not an equal- or atom-style variable",
+                 angle.variable);
+  }
+}
+
+// cosine of the angle on owned and ghost walls
+void FixAleisphTension::evaluate_angles()
+{
+  cosine_.assign(owner_->nall(), NEUTRAL);
+  std::vector<double> values(atom->nlocal);
+  for (const auto &angle : angles_) {
+    const int ivar = angle.variable.empty() ? -1 : input->variable->find(angle.variable.c_str());
+    if (ivar < 0)
+      values.assign(atom->nlocal, angle.cosine);
+    else if (input->variable->equalstyle(ivar))
+      values.assign(atom->nlocal,
+                    cosine_of(input->variable->compute_equal(ivar), "v_" + angle.variable));
+    else
+      input->variable->compute_atom(ivar, group->find(angle.group), values.data(), 1, 0);
+    const bool degrees = ivar >= 0 && input->variable->atomstyle(ivar);
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->mask[i] & angle.groupbit)
+        cosine_[i] = degrees ? cosine_of(values[i], "v_" + angle.variable) : values[i];
+  }
+  owner_->forward(cosine_.data(), 1);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphTension::setup_pre_force(int vflag)
+{
+  pre_force(vflag);
+}
+
+void FixAleisphTension::setup(int vflag)
+{
+  // a time step that is chosen is checked in reset_dt()
+  if (!owner_->adaptive_time_step()) check_time_step();
+  if (force_form_) post_force(vflag);
+}
+
+void FixAleisphTension::pre_force(int)
+{
+  owner_->forward(owner_->velocity(), 3);
+  aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
+  if (owner_->version() != version_) rebuild();
+  find_pressure();
+}
+
+// everything that depends on the positions alone
+void FixAleisphTension::rebuild()
+{
+  const std::size_t nall = owner_->nall();
+  rows_ = aleisph::surface_rows(owner_->discretization().fluid(), owner_->role());
+  count_ = {};
+  N_.assign(3 * nall, 0.0);
+  K_.assign(nall, 0.0);
+  known_.assign(nall, 0.0);
+  mean_.assign(nall, 0.0);
+  if (model_ == Model::TANGENT)
+    wide_.build(aleisph::wide_kernel(domain->dimension, owner_->spacing()), atom->nlocal, atom->x,
+                {list_->numneigh, list_->firstneigh, NEIGHMASK},
+                {owner_->role(), aleisph::SURFACE | (walls_ ? aleisph::WALL : 0u), 0});
+  find_contact_lines();
+  find_normals();
+  find_curvature();
+  version_ = owner_->version();
+}
+
+void FixAleisphTension::find_contact_lines()
+{
+  ncontact_ = 0;
+  contact_.clear();
+  if (!walls_) return;
+  auto &disc = owner_->discretization();
+  evaluate_angles();
+  contact_.assign(4 * static_cast<std::size_t>(owner_->nall()), 0.0);
+  ncontact_ = aleisph::contact_normals(disc.stencil(), rows_, owner_->role(), owner_->normal(),
+                                       cosine_.data(), disc.spacing(), contact_params_,
+                                       contact_.data());
+  if (model_ == Model::PUBLISHED) return;
+  owner_->forward(contact_.data(), 4);
+  plane_.assign(2 * static_cast<std::size_t>(owner_->nall()), 0.0);
+  aleisph::Rows walls;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (owner_->role()[i] & aleisph::WALL) walls.push_back(i);
+  aleisph::contact_planes(wide_, walls, owner_->role(), owner_->normal(), contact_.data(),
+                          disc.spacing(), plane_.data());
+  owner_->forward(plane_.data(), 2);
+}
+
+void FixAleisphTension::find_normals()
+{
+  auto &disc = owner_->discretization();
+  if (model_ == Model::PUBLISHED) {
+    lambda_.assign(owner_->nall(), 0.0);
+    for (int i = 0; i < atom->nlocal; i++) lambda_[i] = disc.gradient().lambda(i);
+    owner_->forward(lambda_.data(), 1);
+    aleisph::eigenvalue_gradient(disc.stencil(), disc.gradient(), rows_, lambda_.data(), N_.data());
+  } else {
+    const auto kernel = aleisph::wide_kernel(domain->dimension, disc.spacing());
+    aleisph::wide_gradient(wide_, rows_, owner_->role(), disc.volume(), N_.data());
+    if (walls_)
+      aleisph::add_continuation(wide_, kernel, rows_, owner_->role(), owner_->normal(),
+                                plane_.data(), disc.volume(), disc.spacing(), contact_params_,
+                                N_.data());
+  }
+  undirected_ = aleisph::normalise(rows_, N_.data());
+  if (model_ == Model::PUBLISHED && walls_)    // Morikawa, Tsuji & Asai, Fig. 9
+    for (const int i : rows_)
+      if (contact_[4 * i + 3] > 0.0) std::copy_n(&contact_[4 * i], 3, &N_[3 * i]);
+  owner_->forward(N_.data(), 3);
+}
+
+void FixAleisphTension::find_curvature()
+{
+  auto &disc = owner_->discretization();
+  if (model_ == Model::PUBLISHED) {
+    count_ = aleisph::published_curvature(disc.stencil(), disc.gradient(), rows_, owner_->role(),
+                                          N_.data(), factor_, disc.spacing(), mean_.data());
+    return;
+  }
+  count_ = aleisph::tangent_curvature(disc.stencil(), rows_, owner_->role(), N_.data(),
+                                      disc.volume(), K_.data(), known_.data());
+  owner_->forward(K_.data(), 1);
+  owner_->forward(known_.data(), 1);
+  aleisph::smooth_curvature(disc.stencil(), rows_, owner_->role(), N_.data(), K_.data(),
+                            known_.data(), disc.spacing(), mean_.data(), count_);
+}
+
+/* ----------------------------------------------------------------------
+   sigma K, and the normal viscous stress 2 rho nu N.(grad v).N: a stress-free
+   surface has p - 2 rho nu dv_n/dn = sigma K. The paper omits it; without it
+   oscillations of drops decay at half their rate.
+------------------------------------------------------------------------- */
+
+double FixAleisphTension::viscous_pressure_factor() const
+{
+  return viscous_ ? 2.0 * owner_->rho0() * owner_->viscosity() : 0.0;
+}
+
+void FixAleisphTension::find_pressure()
+{
+  p_.assign(atom->nlocal, 0.0);
+  const double viscous = viscous_pressure_factor();
+  if (viscous > 0.0) {
+    auto &disc = owner_->discretization();
+    grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
+    aleisph::velocity_gradient(disc.stencil(), disc.gradient(), rows_, owner_->velocity(),
+                               owner_->role(), owner_->normal(), grad_v_.data());
+  }
+  for (const int i : rows_) {
+    if (pressure_form_) p_[i] += sigma_ * mean_[i];
+    if (viscous > 0.0)
+      p_[i] += viscous * aleisph::normal_strain(&N_[3 * i], &grad_v_[9 * i], domain->dimension);
+  }
+}
+
+const double *FixAleisphTension::surface_pressure() const
+{
+  return p_.data();
+}
+
+// As a force the tension acts on the layer of surface particles. The model as published takes the
+// mean curvature, half of K in three dimensions.
+void FixAleisphTension::post_force(int)
+{
+  const double volume = owner_->discretization().volume();
+  const double mean = model_ == Model::PUBLISHED ? 1.0 / (domain->dimension - 1) : 1.0;
+  const double factor = mean * volume * sigma_ * delta_ / owner_->spacing();
+  for (const int i : rows_)
+    for (int a = 0; a < domain->dimension; a++) atom->f[i][a] -= factor * mean_[i] * N_[3 * i + a];
+}
+
+void FixAleisphTension::add_acceleration(double *a)
+{
+  const double d = owner_->spacing();
+  const double rate = filter_ * std::sqrt(sigma_ / (owner_->rho0() * d * d * d));
+  aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
+  velocity_filter_.add(*owner_, aleisph::FLUID, std::min(rate, MAX_FILTER / update->dt), a);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
+{
+  limits.lower(StepBound::CAPILLARY,
+               aleisph::capillary_limit(owner_->rho0(), owner_->spacing(), sigma_));
+}
+
+void FixAleisphTension::reset_dt()
+{
+  check_time_step();
+}
+
+void FixAleisphTension::check_time_step() const
+{
+  const double limit = aleisph::capillary_limit(owner_->rho0(), owner_->spacing(), sigma_);
+  const double dt = update->dt, safe = SAFE_SHARE * limit;
+  // the messages give the safe step with six digits
+  if (dt > limit * (1.0 + 1.0e-5))
+    error->all(FLERR,
+               "Fix aleisph/tension: timestep {:.6g} is above the capillary limit {:.6g}; use at "
+               "most {:.6g}",
+               dt, limit, safe);
+  if (dt > safe * (1.0 + 1.0e-5) && !owner_->adaptive_time_step() && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix aleisph/tension: timestep {:.6g} is near the capillary limit {:.6g}; at "
+                   "most {:.6g} is safe",
+                   dt, limit, safe);
+}
+
+// mean and largest |K| on the surface, particles that feel tension, contact particles, and those
+// with too few neighbours, without their own curvature, with limited curvature, without normal
+double FixAleisphTension::compute_vector(int n)
+{
+  owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
+  if (!owner_->ready() || version_ != owner_->version()) return 0.0;
+  double mine = 0.0, all;
+  switch (n) {
+    case 0:
+      for (const int i : rows_) mine += mean_[i];
+      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+      return all / std::max(1L, owner_->sum(rows_.size()));
+    case 1:
+      for (const int i : rows_) mine = std::max(mine, std::fabs(mean_[i]));
+      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+      return all;
+    case 2: return owner_->sum(rows_.size());
+    case 3: return owner_->sum(ncontact_);
+    case 4: return owner_->sum(count_.few);
+    case 5: return owner_->sum(count_.unknown);
+    case 6: return owner_->sum(count_.limited);
+    default: return owner_->sum(undirected_);
+  }
+}
+
+double FixAleisphTension::memory_usage()
+{
+  return wide_.bytes() + velocity_filter_.bytes() +
+      sizeof(double) *
+      (N_.size() + K_.size() + known_.size() + mean_.size() + p_.size() + cosine_.size() +
+       contact_.size() + plane_.size() + lambda_.size() + grad_v_.size());
+}

@@ -1,0 +1,104 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   Surface tension: curvature of the free surface, the pressure and force
+   that it exerts, and contact angles on walls.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(aleisph/tension,FixAleisphTension);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_ALEISPH_TENSION_H
+#define LMP_FIX_ALEISPH_TENSION_H
+
+#include "aleisph_contact.h"
+#include "aleisph_tension.h"
+#include "fix.h"
+#include "fix_aleisph.h"
+#include "fix_aleisph_filter.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixAleisphTension :
+    public Fix,
+    public AleisphTension,
+    public AleisphAcceleration,
+    public AleisphTimeStepLimit {
+ public:
+  FixAleisphTension(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void init_list(int, class NeighList *) override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void pre_force(int) override;
+  void post_force(int) override;
+  void reset_dt() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+  // AleisphTension, owned particles, zero away from the surface
+  const double *surface_pressure() const override;
+  const double *curvature() const override { return mean_.data(); }
+  const double *surface_normal() const override { return N_.data(); }
+  const double *contact() const override { return contact_.empty() ? nullptr : contact_.data(); }
+  void add_acceleration(double *a) override;
+  void time_step_limits(aleisph::StepBounds &limits) const override;
+
+ private:
+  enum class Model { TANGENT, PUBLISHED };
+
+  // the angle on the walls of a group: constant, or an equal- or atom-style variable
+  struct Angle {
+    int groupbit;
+    std::string group, variable;
+    double cosine;
+  };
+
+  void parse(int narg, char **arg);
+  Angle parse_angle(const std::string &group, const std::string &value);
+  double cosine_of(double degrees, const std::string &source) const;
+  void set_form(const std::string &word);
+  void resolve_variables() const;
+  void evaluate_angles();
+  void rebuild();
+  void find_contact_lines();
+  void find_normals();
+  void find_curvature();
+  void find_pressure();
+  void check_time_step() const;
+  double viscous_pressure_factor() const;
+
+  Model model_;
+  double sigma_;    // < 0: that of the fluid
+  double factor_, delta_, filter_;
+  bool pressure_form_, force_form_, viscous_, form_given_, viscous_given_;
+  std::vector<Angle> angles_;
+
+  FixAleisph *owner_;
+  class NeighList *list_;
+  bool walls_;
+  aleisph::ContactParams contact_params_;
+  aleisph::CurvatureCount count_;
+  int ncontact_, undirected_;
+  bigint version_;
+
+  aleisph::Rows rows_;    // owned surface particles that feel tension
+  aleisph::Stencil wide_;
+  std::vector<double> N_, K_, known_, mean_, p_;
+  std::vector<double> cosine_, contact_, plane_, lambda_, grad_v_;
+  AleisphVelocityFilter velocity_filter_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

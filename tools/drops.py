@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-only
+"""Shape, pressure and energy of a drop in free space: drops.py DUMP --case NAME -d D [options]
+
+Needs the columns surface, nx, ny (nz), d_aleisph_p and velocities in the dump. R is the radius of
+the disc or ball whose volume is that of the particles, d^dim each; its pressure is (dim - 1)
+sigma/R. The surface lies half a spacing outside the surface particles. --print writes, for the last
+frame, as LAMMPS commands:
+  p           mean of the particles deeper than 3 d below the nearest point of the surface;
+              l2: its relative error
+  sphericity  largest radius of the surface over R; linf, l2: largest and rms difference of the
+              radii of surface particles from R, in spacings; inner: surface particles of the
+              second layer, 0.6 d and more inside the outline
+  volume      inside a smooth outline (harmonics up to degree 8 in 3d, 12 in 2d, fitted without the
+              inner particles) over that of the particles
+  velocity    largest |v| over sqrt(sigma/(rho R))
+and for all frames, with --energy, kinetic energy plus sigma times the area of the outline
+  energy      at the end over that of the disc or ball at rest; rise: largest growth above any
+              earlier frame, in the same units
+--series FILE keeps these for all frames. Standard library only.
+"""
+
+import argparse
+import math
+from pathlib import Path
+
+from series import print_command
+from star import Star, dot, unit
+
+INNER = 0.6    # surface particles deeper than this below the outline are not of the outer layer
+DEEP = 3.0     # where the pressure is taken, below the surface, in spacings
+
+
+def frames(path):
+    """(time, {column: list of numbers}) of every snapshot of a text dump with times."""
+    with open(path, encoding="ascii") as lines:
+        time = 0.0
+        for line in lines:
+            if line.startswith("ITEM: TIME\n"):
+                time = float(next(lines))
+            elif line.startswith("ITEM: NUMBER"):
+                count = int(next(lines))
+            elif line.startswith("ITEM: ATOMS"):
+                rows = [map(float, next(lines).split()) for _ in range(count)]
+                yield time, dict(zip(line.split()[2:], map(list, zip(*rows))))
+
+
+def vectors(columns, names):
+    return list(zip(*(columns[name] for name in names)))
+
+
+def mean(values):
+    return sum(values) / len(values)
+
+
+def size(vector):
+    return math.sqrt(dot(vector, vector))
+
+
+def sphere_radius(volume, dim):
+    return math.sqrt(volume / math.pi) if dim == 2 else (0.75 * volume / math.pi)**(1 / 3)
+
+
+def sphere_area(radius, dim):
+    return 2.0 * math.pi * radius if dim == 2 else 4.0 * math.pi * radius**2
+
+
+class Drop:
+    """One frame."""
+
+    def __init__(self, columns, dim, d):
+        self.dim, self.d = dim, d
+        self.columns = columns
+        self.volume = len(columns["x"]) * d**dim
+        self.R = sphere_radius(self.volume, dim)
+        x = vectors(columns, "xyz"[:dim])
+        middle = [mean(column) for column in zip(*x)]
+        self.x = [[a - m for a, m in zip(p, middle)] for p in x]
+
+    def surface(self):
+        """Points of the surface: half a spacing outside the surface particles."""
+        normals = vectors(self.columns, ("nx", "ny", "nz")[:self.dim])
+        return [[a + 0.5 * self.d * b for a, b in zip(p, n)]
+                for p, n, on in zip(self.x, normals, self.columns["surface"]) if on]
+
+    def radii(self):
+        """Of the surface, over every surface particle."""
+        return [size(p) + 0.5 * self.d
+                for p, on in zip(self.x, self.columns["surface"]) if on]
+
+    def outline(self, star):
+        """(coefficients, number of inner particles)"""
+        points = self.surface()
+        fit = star.fit(points)
+        outer = [p for p in points if size(p) > star.radius(fit, p) - INNER * self.d]
+        return star.fit(outer), len(points) - len(outer)
+
+    def pressure(self, nearest):
+        """Mean over particles deeper than 3 d below a sphere; (pressure, their number)."""
+        deep = [p for x, p in zip(self.x, self.columns["d_aleisph_p"])
+                if size(x) < nearest - DEEP * self.d]
+        return (mean(deep), len(deep)) if deep else (math.nan, 0)
+
+    def speeds(self):
+        return [size(v) for v in vectors(self.columns, ("vx", "vy", "vz")[:self.dim])]
+
+
+def star_for(drop):
+    """Harmonics that so many surface particles determine well."""
+    count = sum(on != 0 for on in drop.columns["surface"])
+    limit = 12 if drop.dim == 2 else 8
+    return Star(drop.dim, min(limit, int(count / 8) if drop.dim == 2 else int(count**0.5 / 2.5)))
+
+
+def energy_row(time, drop, star, rho, sigma):
+    """Energies in units of sigma times the area of the sphere of that volume."""
+    fit, inner = drop.outline(star)
+    volume, area = star.measures(fit)
+    whole = sigma * sphere_area(drop.R, drop.dim)
+    kinetic = 0.5 * rho * drop.d**drop.dim * sum(v * v for v in drop.speeds())
+    radii = drop.radii()
+    return {"time": time, "kinetic": kinetic / whole, "surface": sigma * area / whole,
+            "energy": (kinetic + sigma * area) / whole, "volume": volume / drop.volume,
+            "r_min": min(radii) / drop.R, "r_max": max(radii) / drop.R, "inner": inner}
+
+
+def largest_rise(values):
+    lowest, rise = values[0], 0.0
+    for value in values:
+        lowest = min(lowest, value)
+        rise = max(rise, value - lowest)
+    return rise
+
+
+def line(options, quantity, *more):
+    return print_command([f"case={options.case}", f"quantity={quantity}",
+                          f"time={options.time:g}", *more])
+
+
+def result_lines(drop, star, options):
+    fit, inner = drop.outline(star)
+    p_exact = (drop.dim - 1) * options.sigma / drop.R
+    p, count = drop.pressure(min(star.radii(fit)))
+    yield line(options, "p", f"value={p:.6g}", f"reference={p_exact:.6g}",
+               f"l2={abs(p / p_exact - 1):.3e}", f"particles={count}")
+    radii = drop.radii()
+    off = [(r - drop.R) / drop.d for r in radii]
+    yield line(options, "sphericity", f"value={max(radii) / drop.R:.4f}", "reference=1",
+               f"linf={max(map(abs, off)):.3f}", f"l2={math.sqrt(mean([a * a for a in off])):.3f}",
+               f"inner={inner}")
+    yield line(options, "volume", f"value={star.measures(fit)[0] / drop.volume:.5f}",
+               "reference=1")
+    scale = math.sqrt(options.sigma / (options.rho * drop.R))
+    yield line(options, "velocity", f"value={max(drop.speeds()) / scale:.5f}", "reference=0")
+
+
+def write_series(path, rows):
+    lines = ["# " + " ".join(rows[0])]
+    lines += [" ".join(f"{value:.8g}" for value in row.values()) for row in rows]
+    Path(path).write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("dump")
+    parser.add_argument("--case", required=True, help="name for the result lines")
+    parser.add_argument("--dim", type=int, default=3, choices=(2, 3))
+    parser.add_argument("-d", type=float, required=True, help="particle spacing")
+    parser.add_argument("--rho", type=float, required=True)
+    parser.add_argument("--sigma", type=float, required=True)
+    parser.add_argument("--time", type=float, default=0.0, help="as it stands on the result lines")
+    parser.add_argument("--energy", action="store_true", help="measure all frames")
+    parser.add_argument("--series", metavar="FILE")
+    parser.add_argument("--print", dest="output", metavar="FILE")
+    return parser.parse_args()
+
+
+def main():
+    options = parse()
+    rows, star = [], None
+    for time, columns in frames(options.dump):
+        drop = Drop(columns, options.dim, options.d)
+        star = star or star_for(drop)
+        if options.energy:
+            rows.append(energy_row(time, drop, star, options.rho, options.sigma))
+    lines = list(result_lines(drop, star, options))
+    if rows:
+        energies = [row["energy"] for row in rows]
+        lines.append(line(options, "energy", f"value={energies[-1]:.5f}", "reference=1",
+                          f"rise={largest_rise(energies):.2e}"))
+    if options.series:
+        write_series(options.series, rows)
+    if options.output:
+        Path(options.output).write_text("".join(lines), encoding="ascii")
+    else:
+        print("".join(lines), end="")
+
+
+if __name__ == "__main__":
+    main()
