@@ -36,8 +36,8 @@ REST = 0.02        # rms velocity of a fluid at rest, over sqrt(sigma/(rho d_dro
 def last_frame(path):
     """(time, [length of the box or None where it is not periodic], rows) of the last snapshot."""
     text = Path(path).read_text(encoding="ascii")
-    lines = text[text.rindex("ITEM: TIMESTEP"):].splitlines()
-    time = float(lines[lines.index("ITEM: TIME") + 1]) if "ITEM: TIME" in lines else 0.0
+    lines = text[text.rindex("ITEM: TIME\n"):].splitlines()    # dump_modify time yes
+    time = float(lines[1])
     bounds = next(k for k, line in enumerate(lines) if line.startswith("ITEM: BOX BOUNDS"))
     lengths = [None, None, None]
     for axis, kind in enumerate(lines[bounds].split()[-3:]):

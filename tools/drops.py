@@ -17,14 +17,19 @@ frame, as LAMMPS commands:
 and for all frames, with --energy, kinetic energy plus sigma times the area of the outline
   energy      at the end over that of the disc or ball at rest; rise: largest growth above any
               earlier frame, in the same units
---series FILE keeps these for all frames. Standard library only.
+--series FILE keeps these for all frames. --mode SERIES reads columns t [sqrt(rho R^3/sigma)] and a,
+the amplitude of the mode n = 2, of a file of fix ave/time, and adds
+  frequency, damping    over linear theory (Rayleigh; Lamb, Hydrodynamics, 275 and 355):
+              omega^2 = 6 sigma/(rho R^3), gamma = 4 nu/R^2 in 2d; 8 and 5 in 3d
+Standard library only.
 """
 
 import argparse
 import math
 from pathlib import Path
 
-from series import print_command
+import oscillation
+from series import print_command, read_series
 from star import Star, dot, unit
 
 INNER = 0.6    # surface particles deeper than this below the outline are not of the outer layer
@@ -154,6 +159,23 @@ def result_lines(drop, star, options):
     yield line(options, "velocity", f"value={max(drop.speeds()) / scale:.5f}", "reference=0")
 
 
+def mode_lines(drop, options):
+    """Frequency and damping; the first tenth of the series, in which particles settle, is left
+    out."""
+    series = read_series(options.mode)
+    times, values = ([float(a) for a in series[name][len(series["t"]) // 10:]]
+                     for name in ("t", "a"))
+    unit_time = math.sqrt(options.rho * drop.R**3 / options.sigma)
+    omega = math.sqrt(6.0 if drop.dim == 2 else 8.0)
+    gamma = (4.0 if drop.dim == 2 else 5.0) * options.nu / drop.R**2 * unit_time
+    found = oscillation.fit(times, values, omega, gamma)
+    rest = f"rest={found[2]:.3f}"
+    yield line(options, "frequency", f"value={found[0]:.5f}", f"reference={omega:.5f}",
+               f"l2={abs(found[0] / omega - 1):.3e}", rest)
+    yield line(options, "damping", f"value={found[1]:.5f}", f"reference={gamma:.5f}",
+               f"l2={abs(found[1] / gamma - 1):.3e}" if gamma else "l2=nan", rest)
+
+
 def write_series(path, rows):
     lines = ["# " + " ".join(rows[0])]
     lines += [" ".join(f"{value:.8g}" for value in row.values()) for row in rows]
@@ -171,6 +193,8 @@ def parse():
     parser.add_argument("--time", type=float, default=0.0, help="as it stands on the result lines")
     parser.add_argument("--energy", action="store_true", help="measure all frames")
     parser.add_argument("--series", metavar="FILE")
+    parser.add_argument("--mode", metavar="SERIES", help="amplitude of the mode n = 2")
+    parser.add_argument("--nu", type=float, default=0.0, help="kinematic viscosity")
     parser.add_argument("--print", dest="output", metavar="FILE")
     return parser.parse_args()
 
@@ -188,6 +212,8 @@ def main():
         energies = [row["energy"] for row in rows]
         lines.append(line(options, "energy", f"value={energies[-1]:.5f}", "reference=1",
                           f"rise={largest_rise(energies):.2e}"))
+    if options.mode:
+        lines += mode_lines(drop, options)
     if options.series:
         write_series(options.series, rows)
     if options.output:

@@ -1,6 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Frequency and damping of a series: y = exp(-gamma t) (a cos omega t + b sin omega t) + c.
-Standard library only."""
+"""Oscillations of drops: linear theory, and frequency and damping of a series. Standard library only.
+
+Linear theory of the mode n of a free drop, in units of rho, sigma and R, nu = Oh (2d disc: Lamb,
+Hydrodynamics, 349 for the method; ball: Chandrasekhar, Hydrodynamic and hydromagnetic stability,
+98). The flow with time factor exp(s t) is a potential flow r^n and a vortical one; the poloidal
+scalar (stream function in 2d) is f = r^n + B b(q r), q^2 = s/nu, with b a modified Bessel function
+I_n, in 3d the spherical one, normalised to b(q) = 1. With f', f'' at r = 1, on which
+  no shear stress      2d: f'' - f' + n^2 f = 0,  3d: f'' + (n (n + 1) - 2) f = 0
+  pressure of tension  2d: -s^2/n  - 2 nu s (f' - f) = (n^2 - 1) n f,   2d terms over n
+                       3d: -s^2/n - 2 nu s (f' - f) = (n - 1) (n + 2) f
+hold, the second an equation for s = -gamma +- i omega. For small nu: gamma = 2 n (n - 1) nu in 2d and
+(n - 1)(2 n + 1) nu in 3d, less a share of order sqrt(nu).
+"""
 
 import math
 

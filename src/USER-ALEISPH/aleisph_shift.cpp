@@ -261,15 +261,16 @@ ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &flu
   return shift_rows(scene, fluid, ConcentrationShift(scene, v), dr);
 }
 
-void velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                     Role which, const double *v, const double *grad_v, double volume, double *out)
+void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid,
+                             const Role *role, const double *v, const double *grad_v, double volume,
+                             double *out)
 {
   for (const int i : fluid) {
     Vec sum = Vec::Zero();
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
       if (!bound_fluid(role[i]) || !bound_fluid(role[j])) continue;
-      if (!((role[i] | role[j]) & which)) continue;
+      if (!((role[i] | role[j]) & SURFACE)) continue;
       const Vec half = 0.5 * s.r()[k] * direction(s, k);
       const Vec linear = apply(grad_v + 9 * i, half) + apply(grad_v + 9 * j, half);
       sum += volume * kernel.w(s.r()[k]) * (at(v, j) - at(v, i) + linear);

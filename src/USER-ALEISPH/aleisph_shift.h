@@ -84,14 +84,14 @@ ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &flu
                          const Role *role, const double *normal, const double *eps, const double *v,
                          double volume, double d, const ShiftParams &params, double *dr);
 
-// The velocity filter of the accurate density model and of surface tension: the sum
+// The velocity filter of the accurate density model: acceleration-like sum
 //   out_i = sum_j V W_ij (v_j - v_i + (grad v_i + grad v_j).r_ij/2)
-// over fluid pairs of which one has one of the roles `which` (SURFACE: pairs at the surface;
-// FLUID: all) and none is ballistic. It conserves momentum, and
+// over fluid pairs with a member on the surface and none ballistic. It conserves momentum, and
 // vanishes where v is linear (quadratic, if grad_v is exact). The caller scales it.
 // grad_v[9*i+3*a+b] = d v_a/d x_b, owned and ghost. out is written on the rows listed.
-void velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                     Role which, const double *v, const double *grad_v, double volume, double *out);
+void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid,
+                             const Role *role, const double *v, const double *grad_v, double volume,
+                             double *out);
 
 }    // namespace aleisph
 #endif

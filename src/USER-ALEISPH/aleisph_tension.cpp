@@ -25,10 +25,10 @@ constexpr double NO_DIRECTION = 1.0e-6;
 // cube.
 constexpr double MIN_COSINE = 0.3;
 
-// The second bracket, -sum V dW/dr r along a direction of the tangent plane, has no unit. With
-// the cubic spline and h = 1.2 d it is 0.58 on a straight line of particles, 0.43 on a flat
-// layer, 0.25 for a single neighbour at d, 0.05 at 2 d, 0.02 at 2.1 d. Below, there is nothing
-// in that direction but on the brim of the support.
+// The second bracket along a direction t of the tangent plane, -sum V dW/dr (r_ij.t)^2/r_ij, has no
+// unit. With the cubic spline and h = 1.2 d it is 0.58 on a straight line (2d) and on a flat square
+// layer of particles (3d); 0.25 and 0.14 for a single neighbour at d, 0.044 and 0.026 at 2 d. It
+// falls to 0.02 at 2.1 d, so below there is nothing in that direction but on the brim of the support.
 constexpr double MIN_BRACKET = 0.02;
 
 constexpr int FEW = 3;
@@ -96,15 +96,15 @@ class Brackets {
     moment_ -= slope * (tangent_ * r).transpose();
   }
 
-  // tr(turn moment^-1) in the tangent plane; false if the moment has no inverse there. Off the
-  // plane the moment is completed by 1, the turn is 0.
-  bool trace(double &K) const
+  // the symmetric part of turn moment^-1; false if the moment has no inverse in the tangent plane.
+  // Off the plane the moment is completed by 1, the turn is 0, and so is the result.
+  bool shape(Mat3 &A) const
   {
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moment_ + others_);
     if (!(eigen.eigenvalues()[0] > MIN_BRACKET)) return false;
     const Mat3 &u = eigen.eigenvectors();
-    K = 0.0;
-    for (int a = 0; a < 3; a++) K += u.col(a).dot(turn_ * u.col(a)) / eigen.eigenvalues()[a];
+    const Mat3 ratio = turn_ * u * eigen.eigenvalues().cwiseInverse().asDiagonal() * u.transpose();
+    A = 0.5 * (ratio + ratio.transpose());
     return true;
   }
 
@@ -113,8 +113,7 @@ class Brackets {
   Mat3 others_, tangent_, turn_ = Mat3::Zero(), moment_ = Mat3::Zero();
 };
 
-bool local_curvature(const Stencil &s, const Role *role, const double *N, double volume, int i,
-                     double &K)
+bool local_shape(const Stencil &s, const Role *role, const double *N, double volume, int i, Mat3 &A)
 {
   const Vec3 Ni = vec(N, i);
   if (Ni.isZero(0.0)) return false;
@@ -125,7 +124,24 @@ bool local_curvature(const Stencil &s, const Role *role, const double *N, double
     const Vec3 Nj = vec(N, j), e = pair_vector(s, k);
     if (Ni.dot(Nj) > MIN_COSINE) brackets.add(s.r()[k] * e, volume * s.dw()[k] * e, Nj);
   }
-  return brackets.trace(K);
+  return brackets.shape(A);
+}
+
+/* ----------------------------------------------------------------------
+   From the layer of particles, with the shape operator A, to the parallel
+   surface d/2 outside of it: each radius of curvature grows by d/2, 1/k -> 1/k + d/2.
+   The pole at k = -2/d is where the centre of a hollow lies on the true
+   surface. Long before it, at k = -2/(3 d), k is bounded by -1/d outside.
+------------------------------------------------------------------------- */
+double outer_curvature(const Mat3 &A, double d, CurvatureCount &count)
+{
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(A, Eigen::EigenvaluesOnly);
+  const Vec3 &k = eigen.eigenvalues();
+  double K = 0.0;
+  for (int a = 0; a < 3; a++)
+    K += k[a] < -2.0 / (3.0 * d) ? -1.0 / d : k[a] / (1.0 + 0.5 * d * k[a]);
+  if (k[0] < -2.0 / (3.0 * d)) count.limited++;
+  return K;
 }
 
 // mean over i and its neighbours with known K; 0 if there is none
@@ -150,21 +166,6 @@ double limit(double K, double bound, CurvatureCount &count)
   if (std::abs(K) <= bound) return K;
   count.limited++;
   return std::copysign(bound, K);
-}
-
-/* ----------------------------------------------------------------------
-   From a layer of curvature K to the parallel surface d/2 outside of it:
-   each radius R = m/K (m = dim - 1 equal principal curvatures) becomes
-   R + d/2. It rises with K, and has a pole at K = -2 m/d, where the centre of a
-   hollow is on the true surface; -1/d, the bound, is reached well before
-   it, at K = -2 m/((2 m + 1) d).
-------------------------------------------------------------------------- */
-double outer_curvature(double K, double d, int dim, CurvatureCount &count)
-{
-  const double m = dim - 1.0, bound = 1.0 / d;
-  const bool too_hollow = K < -2.0 * m / ((2.0 * m + 1.0) * d);
-  const double outer = too_hollow ? -INFINITY : K / (1.0 + 0.5 * K * d / m);
-  return limit(outer, bound, count);
 }
 
 }    // namespace
@@ -223,15 +224,16 @@ void eigenvalue_gradient(const Stencil &s, const GradientWeights &g, const Rows 
 CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role *role,
                                  const double *N, double volume, double *K, double *known)
 {
+  const double d = std::pow(volume, 1.0 / s.dim());
   CurvatureCount count;
   for (int i : rows) {
+    Mat3 A;
     const bool few = few_neighbours(s, role, i);
-    K[i] = 0.0;
-    known[i] = !few && local_curvature(s, role, N, volume, i, K[i]) ? 1.0 : 0.0;
-    if (few)
-      count.few++;
-    else if (known[i] == 0.0)
-      count.unknown++;
+    const bool found = !few && local_shape(s, role, N, volume, i, A);
+    known[i] = found ? 1.0 : 0.0;
+    K[i] = found ? outer_curvature(A, d, count) : 0.0;
+    count.few += few;
+    count.unknown += !few && !found;
   }
   return count;
 }
@@ -243,8 +245,7 @@ void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, cons
   for (int i : rows) {
     mean[i] = 0.0;
     if (few_neighbours(s, role, i)) continue;
-    const double layer = local_mean(s, role, N, K, known, MEAN_REACH * d, i);
-    mean[i] = outer_curvature(layer, d, s.dim(), count);
+    mean[i] = limit(local_mean(s, role, N, K, known, MEAN_REACH * d, i), 1.0 / d, count);
   }
 }
 

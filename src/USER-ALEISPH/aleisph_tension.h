@@ -7,11 +7,12 @@
    model `tangent`: with no factor that is fitted,
    1. N_i = -G_i/|G_i|, G a colour gradient over the wide support 4.8 d
       (Wendland C2), sources below walls included (aleisph_contact.h);
-   2. K_i = tr[ (sum_j V (N_j - N_i) (x) gradW_ij) (sum_j V gradW_ij (x) r_ji)^-1 ]
-      in the tangent plane of i, j on the surface with N_i.N_j > 0.3;
-   3. one mean over neighbours on the surface, weights 1 - r/(2.4 d);
-   4. from the layer of particles to the true surface half a spacing outside:
-      K/(1 + K d/(2 (dim - 1))).
+   2. A_i = sym[ (sum_j V (N_j - N_i) (x) gradW_ij) (sum_j V gradW_ij (x) r_ji)^-1 ]
+      in the tangent plane of i, j on the surface with N_i.N_j > 0.3; its
+      eigenvalues k are the principal curvatures of the layer of particles;
+   3. to the true surface, half a spacing outside of the layer:
+      K_i = sum k/(1 + k d/2), exact for spheres and for cylinders;
+   4. one mean over neighbours on the surface, weights 1 - r/(2.4 d).
    model `published`: Morikawa, Tsuji & Asai, eqs 25 and 27 with the sign of N
    mended,
       N_i = -N* / |N*|, N* = sum_j V (lambda_j - lambda_i) L_i gradW_ij,
@@ -52,15 +53,15 @@ void eigenvalue_gradient(const Stencil &s, const GradientWeights &g, const Rows 
 
 struct CurvatureCount {
   int few = 0;        // fewer than three fluid neighbours: K = 0
-  int unknown = 0;    // the second bracket cannot be inverted: the mean of neighbours that have K
-  int limited = 0;    // |K| > 1/d
+  int unknown = 0;    // no N, or the second bracket has no inverse: mean of neighbours with K
+  int limited = 0;    // a principal curvature below -2/(3 d), or |K| > 1/d
 };
 
-// Step 2. K: NaN-free; known[i] = 1 if K_i could be computed, else 0 (and K_i = 0); both one per
-// particle, doubles, so that ghosts can be exchanged.
+// Steps 2 and 3. volume: d^dim. K: NaN-free; known[i] = 1 if K_i could be computed, else 0 (and
+// K_i = 0); both one per particle, doubles, so that ghosts can be exchanged.
 CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role *role,
                                  const double *N, double volume, double *K, double *known);
-// Steps 3 and 4 and the bound |K| <= 1/d; K and known valid on owned and ghost, mean on rows
+// Step 4 and the bound |K| <= 1/d; K and known valid on owned and ghost, mean on rows
 void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *N,
                       const double *K, const double *known, double d, double *mean,
                       CurvatureCount &count);

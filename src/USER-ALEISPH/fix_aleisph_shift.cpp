@@ -232,8 +232,18 @@ void FixAleisphShift::shift()
 void FixAleisphShift::add_acceleration(double *a)
 {
   const double share = std::min(per_step(filter_), MAX_FILTER);
+  auto &disc = owner_->discretization();
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
-  velocity_filter_.add(*owner_, aleisph::SURFACE, share / update->dt, a);
+  const std::size_t nall = owner_->nall();
+  grad_v_.assign(9 * nall, 0.0);
+  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->velocity(),
+                             owner_->role(), owner_->normal(), grad_v_.data());
+  owner_->forward(grad_v_.data(), 9);
+  work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+  aleisph::surface_velocity_filter(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
+                                   owner_->velocity(), grad_v_.data(), disc.volume(), work_.data());
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -283,5 +293,5 @@ double FixAleisphShift::compute_vector(int n)
 
 double FixAleisphShift::memory_usage()
 {
-  return sizeof(double) * (eps_.size() + dr_.size()) + velocity_filter_.bytes();
+  return sizeof(double) * (eps_.size() + dr_.size() + grad_v_.size() + work_.size());
 }

@@ -21,7 +21,6 @@ FixStyle(aleisph/shift,FixAleisphShift);
 #include "aleisph_shift.h"
 #include "fix.h"
 #include "fix_aleisph.h"
-#include "fix_aleisph_filter.h"
 
 #include <set>
 #include <string>
@@ -60,8 +59,7 @@ class FixAleisphShift : public Fix, private AleisphAcceleration {
   bool started_;    // d2_aleisph_u has been set, now or before a restart
   double coefficient_, limited_total_;
   int limited_;
-  std::vector<double> eps_, dr_;
-  AleisphVelocityFilter velocity_filter_;
+  std::vector<double> eps_, dr_, grad_v_, work_;
 };
 
 }    // namespace LAMMPS_NS

@@ -35,19 +35,31 @@ constexpr double NEUTRAL = 0.0;    // cosine on walls that no keyword angle name
 constexpr double MAX_FILTER = 1.0;
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
 
+bool is_angle(double degrees)
+{
+  return degrees > 0.0 && degrees < 180.0;
+}
+
 }    // namespace
 
 FixAleisphTension::FixAleisphTension(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), model_(Model::TANGENT), sigma_(-1.0), factor_(0.41), delta_(0.1),
-    filter_(0.0), pressure_form_(true), force_form_(false), viscous_(true), form_given_(false),
-    viscous_given_(false), owner_(nullptr), list_(nullptr), walls_(false), ncontact_(0),
-    undirected_(0), version_(-1)
+    Fix(lmp, narg, arg), model_(Model::TANGENT), given_sigma_(-1.0), sigma_(0.0), factor_(0.41),
+    delta_(0.1), filter_(0.0), pressure_form_(true), force_form_(false), viscous_(true),
+    form_given_(false), viscous_given_(false), owner_(nullptr), list_(nullptr), walls_(false),
+    ncontact_(0), undirected_(0), version_(-1)
 {
   parse(narg, arg);
   vector_flag = 1;
   size_vector = 8;
   global_freq = 1;
   extvector = 0;
+}
+
+FixAleisphTension::~FixAleisphTension()
+{
+  if (!modify) return;
+  for (Fix *fix : modify->get_fix_by_style("^aleisph$"))
+    dynamic_cast<FixAleisph *>(fix)->remove_tension(this);
 }
 
 void FixAleisphTension::parse(int narg, char **arg)
@@ -66,7 +78,7 @@ void FixAleisphTension::parse(int narg, char **arg)
       return x;
     };
     if (key == "sigma") {
-      sigma_ = positive();
+      given_sigma_ = positive();
     } else if (key == "model") {
       if (value != "tangent" && value != "published")
         error->all(FLERR, "Fix aleisph/tension: model must be tangent or published, not {}", value);
@@ -113,20 +125,16 @@ FixAleisphTension::Angle FixAleisphTension::parse_angle(const std::string &name,
   const int id = group->find(name);
   if (id < 0)
     error->all(FLERR, "Fix aleisph/tension: keyword angle: there is no group {} of walls", name);
-  Angle angle = {group->bitmask[id], name, "", NEUTRAL};
-  if (utils::strmatch(value, "^v_"))
+  Angle angle = {group->bitmask[id], name, "", 0.0};
+  if (utils::strmatch(value, "^v_")) {
     angle.variable = value.substr(2);
-  else
-    angle.cosine = cosine_of(utils::numeric(FLERR, value, false, lmp), value);
-  return angle;
-}
-
-double FixAleisphTension::cosine_of(double degrees, const std::string &source) const
-{
-  if (!(degrees > 0.0) || !(degrees < 180.0))
+    return angle;
+  }
+  angle.degrees = utils::numeric(FLERR, value, false, lmp);
+  if (!is_angle(angle.degrees))
     error->all(FLERR, "Fix aleisph/tension: angle must lie between 0 and 180 degrees, not {}",
-               source);
-  return std::cos(degrees * DEGREE);
+               value);
+  return angle;
 }
 
 int FixAleisphTension::setmask()
@@ -144,17 +152,15 @@ void FixAleisphTension::init()
   owner_->check_fluid_fix(this);
   if (!owner_->has_surface())
     error->all(FLERR, "Fix aleisph/tension needs a fix aleisph/surface, defined before it");
-  if (sigma_ < 0.0) {
-    if (owner_->fluid().sigma <= 0.0)
-      error->all(FLERR,
-                 "Fix aleisph/tension: keyword sigma is required, the fluid of fix aleisph has no "
-                 "surface tension");
-    sigma_ = owner_->fluid().sigma;
-  }
+  sigma_ = given_sigma_ < 0.0 ? owner_->fluid().sigma : given_sigma_;
+  if (given_sigma_ < 0.0 && sigma_ <= 0.0)
+    error->all(FLERR,
+               "Fix aleisph/tension: keyword sigma is required, the fluid of fix aleisph has no "
+               "surface tension");
   walls_ = !modify->get_fix_by_style("^aleisph/wall$").empty();
   if (!walls_ && !angles_.empty())
     error->all(FLERR, "Fix aleisph/tension: keyword angle needs a fix aleisph/wall");
-  resolve_variables();
+  resolve_angles();
   version_ = -1;
 
   owner_->set_tension(this);
@@ -172,9 +178,17 @@ void FixAleisphTension::init_list(int, NeighList *list)
   list_ = list;
 }
 
-void FixAleisphTension::resolve_variables() const
+void FixAleisphTension::resolve_angles() const
 {
+  int walls = 0;
+  for (const Fix *wall : modify->get_fix_by_style("^aleisph/wall$")) walls |= wall->groupbit;
   for (const auto &angle : angles_) {
+    bigint count = 0;
+    for (int i = 0; i < atom->nlocal; i++)
+      count += (atom->mask[i] & angle.groupbit) && (atom->mask[i] & walls);
+    if (owner_->sum(count) == 0)
+      error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
+                 angle.group);
     if (angle.variable.empty()) continue;
     const int ivar = input->variable->find(angle.variable.c_str());
     if (ivar < 0 || !(input->variable->equalstyle(ivar) || input->variable->atomstyle(ivar)))
@@ -188,19 +202,25 @@ void FixAleisphTension::evaluate_angles()
 {
   cosine_.assign(owner_->nall(), NEUTRAL);
   std::vector<double> values(atom->nlocal);
+  tagint outside = 0;
   for (const auto &angle : angles_) {
     const int ivar = angle.variable.empty() ? -1 : input->variable->find(angle.variable.c_str());
     if (ivar < 0)
-      values.assign(atom->nlocal, angle.cosine);
+      values.assign(atom->nlocal, angle.degrees);
     else if (input->variable->equalstyle(ivar))
-      values.assign(atom->nlocal,
-                    cosine_of(input->variable->compute_equal(ivar), "v_" + angle.variable));
+      values.assign(atom->nlocal, input->variable->compute_equal(ivar));
     else
       input->variable->compute_atom(ivar, group->find(angle.group), values.data(), 1, 0);
-    const bool degrees = ivar >= 0 && input->variable->atomstyle(ivar);
-    for (int i = 0; i < atom->nlocal; i++)
-      if (atom->mask[i] & angle.groupbit)
-        cosine_[i] = degrees ? cosine_of(values[i], "v_" + angle.variable) : values[i];
+    for (int i = 0; i < atom->nlocal; i++) {
+      if (!(atom->mask[i] & angle.groupbit) || !(owner_->role()[i] & aleisph::WALL)) continue;
+      if (!is_angle(values[i])) outside = atom->tag[i];
+      cosine_[i] = std::cos(values[i] * DEGREE);
+    }
+    if (ivar >= 0 && (outside = owner_->largest(outside)))
+      error->all(FLERR,
+                 "Fix aleisph/tension: variable {} must lie between 0 and 180 degrees, for atom {} "
+                 "it does not at step {}",
+                 angle.variable, outside, update->ntimestep);
   }
   owner_->forward(cosine_.data(), 1);
 }
@@ -214,7 +234,6 @@ void FixAleisphTension::setup_pre_force(int vflag)
 
 void FixAleisphTension::setup(int vflag)
 {
-  // a time step that is chosen is checked in reset_dt()
   if (!owner_->adaptive_time_step()) check_time_step();
   if (force_form_) post_force(vflag);
 }
@@ -352,12 +371,22 @@ void FixAleisphTension::post_force(int)
     for (int a = 0; a < domain->dimension; a++) atom->f[i][a] -= factor * mean_[i] * N_[3 * i + a];
 }
 
+// the high-pass filter takes min(filter sqrt(sigma/(rho d^3)), 1/dt) of the roughness of v
 void FixAleisphTension::add_acceleration(double *a)
 {
   const double d = owner_->spacing();
-  const double rate = filter_ * std::sqrt(sigma_ / (owner_->rho0() * d * d * d));
+  const double rate = std::min(filter_ * std::sqrt(sigma_ / (owner_->rho0() * d * d * d)),
+                               MAX_FILTER / update->dt);
+  auto &disc = owner_->discretization();
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
-  velocity_filter_.add(*owner_, aleisph::FLUID, std::min(rate, MAX_FILTER / update->dt), a);
+  grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
+  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->velocity(),
+                             owner_->role(), owner_->normal(), grad_v_.data());
+  filtered_.resize(3 * static_cast<std::size_t>(atom->nlocal));
+  aleisph::velocity_roughness(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
+                              owner_->velocity(), grad_v_.data(), filtered_.data());
+  for (const int i : disc.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += rate * filtered_[k];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -368,9 +397,10 @@ void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
                aleisph::capillary_limit(owner_->rho0(), owner_->spacing(), sigma_));
 }
 
+// Another fix has changed the time step during a run. That of fix aleisph/dt keeps the limit.
 void FixAleisphTension::reset_dt()
 {
-  check_time_step();
+  if (update->whichflag == 1 && owner_ && !owner_->adaptive_time_step()) check_time_step();
 }
 
 void FixAleisphTension::check_time_step() const
@@ -417,8 +447,8 @@ double FixAleisphTension::compute_vector(int n)
 
 double FixAleisphTension::memory_usage()
 {
-  return wide_.bytes() + velocity_filter_.bytes() +
+  return wide_.bytes() +
       sizeof(double) *
       (N_.size() + K_.size() + known_.size() + mean_.size() + p_.size() + cosine_.size() +
-       contact_.size() + plane_.size() + lambda_.size() + grad_v_.size());
+       contact_.size() + plane_.size() + lambda_.size() + grad_v_.size() + filtered_.size());
 }

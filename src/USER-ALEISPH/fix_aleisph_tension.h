@@ -17,10 +17,10 @@ FixStyle(aleisph/tension,FixAleisphTension);
 #define LMP_FIX_ALEISPH_TENSION_H
 
 #include "aleisph_contact.h"
+#include "aleisph_roughness.h"
 #include "aleisph_tension.h"
 #include "fix.h"
 #include "fix_aleisph.h"
-#include "fix_aleisph_filter.h"
 
 #include <string>
 #include <vector>
@@ -34,6 +34,7 @@ class FixAleisphTension :
     public AleisphTimeStepLimit {
  public:
   FixAleisphTension(class LAMMPS *, int, char **);
+  ~FixAleisphTension() override;
   int setmask() override;
   void init() override;
   void init_list(int, class NeighList *) override;
@@ -60,14 +61,13 @@ class FixAleisphTension :
   struct Angle {
     int groupbit;
     std::string group, variable;
-    double cosine;
+    double degrees;
   };
 
   void parse(int narg, char **arg);
   Angle parse_angle(const std::string &group, const std::string &value);
-  double cosine_of(double degrees, const std::string &source) const;
   void set_form(const std::string &word);
-  void resolve_variables() const;
+  void resolve_angles() const;
   void evaluate_angles();
   void rebuild();
   void find_contact_lines();
@@ -78,7 +78,8 @@ class FixAleisphTension :
   double viscous_pressure_factor() const;
 
   Model model_;
-  double sigma_;    // < 0: that of the fluid
+  double given_sigma_;    // by the command, < 0: that of the fluid
+  double sigma_;          // in force
   double factor_, delta_, filter_;
   bool pressure_form_, force_form_, viscous_, form_given_, viscous_given_;
   std::vector<Angle> angles_;
@@ -95,7 +96,7 @@ class FixAleisphTension :
   aleisph::Stencil wide_;
   std::vector<double> N_, K_, known_, mean_, p_;
   std::vector<double> cosine_, contact_, plane_, lambda_, grad_v_;
-  AleisphVelocityFilter velocity_filter_;
+  std::vector<double> filtered_;
 };
 
 }    // namespace LAMMPS_NS

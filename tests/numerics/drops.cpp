@@ -21,6 +21,11 @@ double length(const Point &p)
   return std::hypot(p[0], p[1], p[2]);
 }
 
+Point difference(const Point &p, const Point &q)
+{
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+
 // n points on the unit circle or, by Fibonacci, on the unit sphere
 Points directions(int dim, int n, double phase)
 {
@@ -49,8 +54,7 @@ Point repulsion(const Points &points, int i, const std::vector<int> &neighbours,
 {
   Point sum = {0.0, 0.0, 0.0};
   for (int j : neighbours) {
-    Point e;
-    for (int a = 0; a < 3; a++) e[a] = points[i][a] - points[j][a];
+    const Point e = difference(points[i], points[j]);
     const double r = length(e) / d;
     if (!(r < 1.5) || r == 0.0) continue;
     const double w = (1.0 - r / 1.5) * (1.0 - r / 1.5);
@@ -59,24 +63,28 @@ Point repulsion(const Points &points, int i, const std::vector<int> &neighbours,
   return sum;
 }
 
-// the first `outer` points keep their radius, the others stay within it
-void relax(Points &points, int outer, double R, double d, int passes)
+// one pass; the first `outer` points keep their radius R, the others stay within it
+void push(Points &points, int outer, double R, double d, const Neighbours &near)
 {
-  const int n = static_cast<int>(points.size());
-  for (int pass = 0; pass < passes; pass++) {
-    const Neighbours near(points, n, 1.5 * d);
-    const Points old = points;
-    for (int i = 0; i < n; i++) {
-      const Point move = repulsion(old, i, near.of(i), d);
-      for (int a = 0; a < 3; a++) points[i][a] += 0.2 * d * move[a];
-      if (i < outer || length(points[i]) > R) set_length(points[i], R);
-    }
+  const Points old = points;
+  for (int i = 0; i < static_cast<int>(points.size()); i++) {
+    const Point move = repulsion(old, i, near.of(i), d);
+    for (int a = 0; a < 3; a++) points[i][a] += 0.2 * d * move[a];
+    if (i < outer || length(points[i]) > R) set_length(points[i], R);
   }
+}
+
+// particles of a shell of thickness d: its area or volume in units of d
+int shell_count(int dim, int k)
+{
+  const double cells = dim == 2 ? M_PI * (2.0 * k - 1.0)
+                                : 4.0 / 3.0 * M_PI * (3.0 * k * (k - 1) + 1.0);
+  return static_cast<int>(std::lround(cells));
 }
 
 }    // namespace
 
-Neighbours::Neighbours(const Points &points, int owned, double reach) : owned_(owned), lists_(owned)
+Neighbours::Neighbours(const Points &points, int owned, double reach) : lists_(owned)
 {
   using Cell = std::array<long, 3>;
   const auto cell = [reach](const Point &p) {
@@ -92,31 +100,33 @@ Neighbours::Neighbours(const Points &points, int owned, double reach) : owned_(o
     for (int m = 0; m < 27; m++) {
       const auto found = cells.find({c[0] + m % 3 - 1, c[1] + m / 3 % 3 - 1, c[2] + m / 9 - 1});
       if (found == cells.end()) continue;
-      for (int j : found->second) {
-        const Point r = {points[i][0] - points[j][0], points[i][1] - points[j][1],
-                         points[i][2] - points[j][2]};
-        if (j != i && length(r) < reach) lists_[i].push_back(j);
-      }
+      for (int j : found->second)
+        if (j != i && length(difference(points[i], points[j])) < reach) lists_[i].push_back(j);
     }
     count_.push_back(static_cast<int>(lists_[i].size()));
     first_.push_back(lists_[i].data());
   }
 }
 
-Points relaxed_ball(int dim, int n, double d)
+Points shells(int dim, int first, int last, double d)
 {
   Points points;
-  int outer = 0;
-  for (int shell = n; shell > 0; shell--) {
-    const double cells = dim == 2 ? M_PI * (2.0 * shell - 1.0)
-                                  : 4.0 / 3.0 * M_PI * (3.0 * shell * (shell - 1.0) + 1.0);
-    const int count = static_cast<int>(std::lround(cells));
-    for (const Point &e : directions(dim, count, 0.7 * shell))
-      points.push_back(
-          {(shell - 0.5) * d * e[0], (shell - 0.5) * d * e[1], (shell - 0.5) * d * e[2]});
-    if (shell == n) outer = count;
+  for (int k = last; k >= first; k--)
+    for (Point &x : directions(dim, shell_count(dim, k), 0.7 * k)) {
+      set_length(x, (k - 0.5) * d);
+      points.push_back(x);
+    }
+  return points;
+}
+
+Points relaxed_ball(int dim, int n, double d)
+{
+  Points points = shells(dim, 1, n, d);
+  for (int list = 0; list < 4; list++) {    // none moves by half a margin of 0.5 d in 10 passes
+    const Points listed = points;
+    const Neighbours near(listed, static_cast<int>(points.size()), 2.0 * d);
+    for (int pass = 0; pass < 10; pass++) push(points, shell_count(dim, n), (n - 0.5) * d, d, near);
   }
-  relax(points, outer, (n - 0.5) * d, d, 40);
   return points;
 }
 
@@ -126,50 +136,92 @@ Points lattice_ball(int dim, double R, double d)
               [R](const Point &p) { return length(p) < R; });
 }
 
-Drop::Drop(int dimension, double spacing, const Points &all, int rows) :
-    dim(dimension), owned(rows < 0 ? static_cast<int>(all.size()) : rows), d(spacing),
-    volume(std::pow(spacing, dimension)), points(all), role(all.size(), FLUID)
+Drop::Drop(int dim, double d, const Points &points, const Point &period) :
+    dim_(dim), owned_(static_cast<int>(points.size())), d_(d), volume_(std::pow(d, dim)),
+    points_(points), owner_(points.size())
 {
-  const Neighbours near(points, owned, REACH * d);
-  s.build(Kernel(KernelType::CUBIC_SPLINE, dim, SMOOTHING * d), owned, near.x(), near.list());
-  g.build(s, volume);
-  Rows fluid(owned);
+  std::iota(owner_.begin(), owner_.end(), 0);
+  add_ghosts(period);
+  role_.assign(points_.size(), FLUID);
+  N_.assign(3 * points_.size(), 0.0);
+  K_.assign(points_.size(), 0.0);
+  known_ = mean_ = K_;
+  detect(Neighbours(points_, owned_, REACH * d));
+}
+
+void Drop::add_ghosts(const Point &period)
+{
+  for (int a = 0; a < 3; a++) {
+    const size_t n = points_.size();    // those of the axes before have images, too
+    for (int side = -1; side < 2 && period[a] > 0.0; side += 2)
+      for (size_t i = 0; i < n; i++) {
+        const Point image = points_[i];
+        points_.push_back(image);
+        points_.back()[a] += side * period[a];
+        owner_.push_back(owner_[i]);
+      }
+  }
+}
+
+void Drop::detect(const Neighbours &near)
+{
+  s_.build(Kernel(KernelType::CUBIC_SPLINE, dim_, SMOOTHING * d_), owned_, near.x(), near.list());
+  g_.build(s_, volume_);
+  Rows fluid(owned_);
   std::iota(fluid.begin(), fluid.end(), 0);
-  N.assign(3 * all.size(), 0.0);
-  detect_surface(s, g, fluid, d, SurfaceParams(), role.data(), N.data());
-  surface = surface_rows(fluid, role.data());
+  detect_surface(s_, g_, fluid, d_, SurfaceParams(), role_.data(), N_.data());
+  for (size_t j = 0; j < role_.size(); j++) role_[j] = role_[owner_[j]];
+  surface_ = surface_rows(fluid, role_.data());
   PairFilter filter;
-  filter.role = role.data();
+  filter.role = role_.data();
   filter.rows = SURFACE;
-  wide.build(wide_kernel(dim, d), owned, near.x(), near.list(), filter);
-  std::fill(N.begin(), N.end(), 0.0);
-  K.assign(all.size(), 0.0);
-  known = mean = K;
+  wide_.build(wide_kernel(dim_, d_), owned_, near.x(), near.list(), filter);
+}
+
+void Drop::exchange(std::vector<double> &field, int components) const
+{
+  for (size_t j = owned_; j < owner_.size(); j++)
+    for (int c = 0; c < components; c++)
+      field[components * j + c] = field[components * owner_[j] + c];
 }
 
 void Drop::tangent()
 {
-  wide_gradient(wide, surface, role.data(), volume, N.data());
-  normalise(surface, N.data());
-  count = tangent_curvature(s, surface, role.data(), N.data(), volume, K.data(), known.data());
-  smooth_curvature(s, surface, role.data(), N.data(), K.data(), known.data(), d, mean.data(),
-                   count);
+  std::fill(N_.begin(), N_.end(), 0.0);
+  wide_gradient(wide_, surface_, role_.data(), volume_, N_.data());
+  normalise(surface_, N_.data());
+  exchange(N_, 3);
+  count_ = tangent_curvature(s_, surface_, role_.data(), N_.data(), volume_, K_.data(),
+                             known_.data());
+  exchange(K_, 1);
+  exchange(known_, 1);
+  smooth_curvature(s_, surface_, role_.data(), N_.data(), K_.data(), known_.data(), d_,
+                   mean_.data(), count_);
 }
 
 void Drop::published(double factor)
 {
-  std::vector<double> lambda(points.size());
-  for (int i = 0; i < owned; i++) lambda[i] = g.lambda(i);
-  eigenvalue_gradient(s, g, surface, lambda.data(), N.data());
-  normalise(surface, N.data());
-  count = published_curvature(s, g, surface, role.data(), N.data(), factor, d, mean.data());
+  std::vector<double> lambda(points_.size());
+  for (int i = 0; i < owned_; i++) lambda[i] = g_.lambda(i);
+  exchange(lambda, 1);
+  std::fill(N_.begin(), N_.end(), 0.0);
+  eigenvalue_gradient(s_, g_, surface_, lambda.data(), N_.data());
+  normalise(surface_, N_.data());
+  exchange(N_, 3);
+  count_ = published_curvature(s_, g_, surface_, role_.data(), N_.data(), factor, d_, mean_.data());
+}
+
+std::vector<double> Drop::values(const std::function<bool(const Point &)> &predicate) const
+{
+  std::vector<double> list;
+  for (int i : surface_)
+    if (predicate(points_[i])) list.push_back(mean_[i]);
+  return list;
 }
 
 std::vector<double> Drop::values() const
 {
-  std::vector<double> list;
-  for (int i : surface) list.push_back(mean[i]);
-  return list;
+  return values([](const Point &) { return true; });
 }
 
 Statistics statistics(const std::vector<double> &values)
@@ -179,9 +231,6 @@ Statistics statistics(const std::vector<double> &values)
   for (double v : values) result.mean += v / n;
   for (double v : values) result.deviation += (v - result.mean) * (v - result.mean) / n;
   result.deviation = std::sqrt(result.deviation);
-  const auto ends = std::minmax_element(values.begin(), values.end());
-  result.least = *ends.first;
-  result.most = *ends.second;
   return result;
 }
 

@@ -14,51 +14,67 @@
 
 namespace aleisph_test {
 
-// As Cloud, but with cells: for the ten thousand particles of a ball. All are rows.
+// As Cloud, but with cells: for the ten thousand particles of a ball
 class Neighbours {
  public:
   Neighbours(const Points &points, int owned, double reach);
   const double *const *x() const { return x_.data(); }
-  int owned() const { return owned_; }
-  int total() const { return static_cast<int>(x_.size()); }
   const std::vector<int> &of(int i) const { return lists_[i]; }
   aleisph::CandidateList list() const { return {count_.data(), first_.data(), ~0}; }
 
  private:
-  int owned_;
   std::vector<const double *> x_;
   std::vector<std::vector<int>> lists_;
   std::vector<int> count_;
   std::vector<const int *> first_;
 };
 
-// Disc or ball of radius R = n d (n whole): shells of thickness d, each with as many particles as
-// its volume holds, quasi-uniform on the shell; then the inner ones repel each other to rest
+// Circles or spheres around the origin of radius (k - 1/2) d, k = first ... last, each with as many
+// particles as its shell of thickness d holds, quasi-uniform; the outermost first
+Points shells(int dim, int first, int last, double d);
+// Disc or ball of radius R = n d: shells, whose inner particles then repel each other to rest
 Points relaxed_ball(int dim, int n, double d);
-// the points of a lattice of spacing d (with one cell centred on the origin) within R
+// the points of a lattice of spacing d within R
 Points lattice_ball(int dim, double R, double d);
 
-// Surface, normals and curvature of points of spacing d, all fluid
-struct Drop {
-  Drop(int dim, double d, const Points &points, int owned = -1);
-
-  int dim, owned;
-  double d, volume;
-  Points points;
-  std::vector<aleisph::Role> role;
-  aleisph::Stencil s, wide;
-  aleisph::GradientWeights g;
-  aleisph::Rows surface;
-  std::vector<double> N, K, known, mean;    // K: of the layer; mean: what the model gives
-  aleisph::CurvatureCount count;
+// Surface, normals and curvature of fluid of spacing d, without LAMMPS. Along axes with a period
+// > 0 there are ghosts, which get their values from their owners.
+class Drop {
+ public:
+  Drop(int dim, double d, const Points &points, const Point &period = {0.0, 0.0, 0.0});
 
   void tangent();
   void published(double factor);
-  std::vector<double> values() const;    // mean on the surface
+
+  int owned() const { return owned_; }
+  const Point &point(int i) const { return points_[i]; }
+  const aleisph::Rows &surface() const { return surface_; }
+  const aleisph::CurvatureCount &count() const { return count_; }
+  double N(int i, int a) const { return N_[3 * i + a]; }
+  double K(int i) const { return mean_[i]; }    // as the model gives it
+  // K of the particles on the surface for which the predicate holds
+  std::vector<double> values(const std::function<bool(const Point &)> &predicate) const;
+  std::vector<double> values() const;
+
+ private:
+  void add_ghosts(const Point &period);
+  void detect(const Neighbours &near);
+  void exchange(std::vector<double> &field, int components) const;
+
+  int dim_, owned_;
+  double d_, volume_;
+  Points points_;
+  std::vector<int> owner_;    // of each particle: itself, or that of a ghost
+  std::vector<aleisph::Role> role_;
+  aleisph::Stencil s_, wide_;
+  aleisph::GradientWeights g_;
+  aleisph::Rows surface_;
+  std::vector<double> N_, K_, known_, mean_;
+  aleisph::CurvatureCount count_;
 };
 
 struct Statistics {
-  double mean = 0.0, deviation = 0.0, least = 0.0, most = 0.0;
+  double mean = 0.0, deviation = 0.0;
 };
 Statistics statistics(const std::vector<double> &values);
 

@@ -115,7 +115,7 @@ std::vector<double> Shifting::filter(const std::vector<double> &v,
                                      const std::vector<double> &grad_v) const
 {
   std::vector<double> out(3 * size(), 0.0);
-  velocity_filter(s_, kernel_, fluid_, scene_.role.data(), SURFACE, v.data(), grad_v.data(), volume_,
+  surface_velocity_filter(s_, kernel_, fluid_, scene_.role.data(), v.data(), grad_v.data(), volume_,
                           out.data());
   return out;
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   How far the velocity of a particle is from the linear field that its own
+   gradient predicts for its neighbours,
+     out_i = sum_j w_ij (v_j - v_i - (grad v)_i.r_ji) / sum_j w_ij,
+     w_ij = 1 - |r_ij|/support,
+   over fluid neighbours that are not ballistic. It vanishes where v is
+   linear, and is a diffusion of v elsewhere: no force on a potential flow
+   inside, since lap grad phi = 0, but what alternates between neighbours is
+   damped. Surface tension with little viscosity feeds such noise at the
+   surface. It does not conserve momentum exactly.
+   v: owned and ghost; grad_v[9*i+3*a+b] = d v_a/d x_b of the rows listed, on
+   which out (3 per particle) is written.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_ROUGHNESS_H
+#define LMP_ALEISPH_ROUGHNESS_H
+
+#include "aleisph_operators.h"
+
+namespace aleisph {
+
+void velocity_roughness(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
+                        const double *v, const double *grad_v, double *out);
+
+}    // namespace aleisph
+#endif
