@@ -72,9 +72,9 @@ int rank_in_script(const std::string &style)
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
-    list_(nullptr), pressure_guard_(nullptr), tension_(nullptr), nu_(0.0), reach_(0.0),
-    moving_(false), adaptive_(false), pressure_valid_(false), walls_located_(false), ndry_(0),
-    own_cutoff_(0.0), version_(0), halo_field_(nullptr), halo_ncomp_(0)
+    list_(nullptr), pressure_guard_(nullptr), velocity_guard_(nullptr), tension_(nullptr), nu_(0.0),
+    reach_(0.0), moving_(false), adaptive_(false), pressure_valid_(false), walls_located_(false),
+    ndry_(0), own_cutoff_(0.0), version_(0), halo_field_(nullptr), halo_ncomp_(0)
 {
   parse(narg, arg);
 
@@ -269,6 +269,7 @@ void FixAleisph::init()
   walls_.clear();
   step_limits_.clear();
   pressure_guard_ = nullptr;
+  velocity_guard_ = nullptr;
   tension_ = nullptr;
   set_surface(AleisphSurface{false, 0.0, 0.0, 0.0, 0.0});
   moving_ = adaptive_ = walls_located_ = false;

@@ -76,6 +76,16 @@ class AleisphPressureGuard {
   ~AleisphPressureGuard() = default;
 };
 
+// What holds particles after the pressure has corrected their velocity
+class AleisphVelocityGuard {
+ public:
+  // changes v (3 per particle) of owned fluid particles; ghosts are valid before
+  virtual void guard_velocity(double *v) = 0;
+
+ protected:
+  ~AleisphVelocityGuard() = default;
+};
+
 // A style that knows what limits the time step
 class AleisphTimeStepLimit {
  public:
@@ -147,6 +157,7 @@ class FixAleisph : public Fix {
   void add_acceleration(AleisphAcceleration *term) { accelerations_.push_back(term); }
   void add_wall(AleisphWall *wall) { walls_.push_back(wall); }
   void set_pressure_guard(AleisphPressureGuard *guard) { pressure_guard_ = guard; }
+  void set_velocity_guard(AleisphVelocityGuard *guard) { velocity_guard_ = guard; }
   void set_surface(const AleisphSurface &surface);
   void set_tension(const AleisphTension *tension) { tension_ = tension; }
   void remove_tension(const AleisphTension *tension)
@@ -213,6 +224,7 @@ class FixAleisph : public Fix {
   const std::vector<AleisphVelocityCondition *> &velocity_conditions() const { return conditions_; }
   const std::vector<AleisphAcceleration *> &accelerations() const { return accelerations_; }
   AleisphPressureGuard *pressure_guard() const { return pressure_guard_; }
+  AleisphVelocityGuard *velocity_guard() const { return velocity_guard_; }
   // of all styles that know one; valid from setup() on
   aleisph::StepBounds time_step_limits() const;
   bool adaptive_time_step() const { return adaptive_; }    // the time step is chosen by a fix
@@ -263,6 +275,7 @@ class FixAleisph : public Fix {
   std::vector<AleisphWall *> walls_;
   std::vector<const AleisphTimeStepLimit *> step_limits_;
   AleisphPressureGuard *pressure_guard_;
+  AleisphVelocityGuard *velocity_guard_;
   const AleisphTension *tension_;
   AleisphSurface surface_;
   double nu_, reach_;

@@ -33,6 +33,8 @@ namespace {
 constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 constexpr double NEUTRAL = 0.0;    // cosine on walls that no keyword angle names: 90 degrees
 constexpr double MAX_FILTER = 1.0;
+// The first row lies at one spacing from a wall. Below 0.8 contact lines are pinned.
+constexpr double HOLD_REACH = 1.0;    // in spacings
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
 
 bool is_angle(double degrees)
@@ -46,11 +48,11 @@ FixAleisphTension::FixAleisphTension(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), model_(Model::TANGENT), given_sigma_(-1.0), sigma_(0.0), factor_(0.41),
     delta_(0.1), filter_(0.0), pressure_form_(true), force_form_(false), viscous_(true),
     form_given_(false), viscous_given_(false), owner_(nullptr), list_(nullptr), walls_(false),
-    ncontact_(0), undirected_(0), version_(-1)
+    ncontact_(0), undirected_(0), held_(0), version_(-1)
 {
   parse(narg, arg);
   vector_flag = 1;
-  size_vector = 8;
+  size_vector = 9;
   global_freq = 1;
   extvector = 0;
 }
@@ -165,6 +167,7 @@ void FixAleisphTension::init()
 
   owner_->set_tension(this);
   owner_->add_time_step_limit(this);
+  if (walls_) owner_->set_velocity_guard(this);
   if (filter_ > 0.0) owner_->add_acceleration(this);
   if (model_ == Model::TANGENT) {
     const double reach = aleisph::wide_kernel(domain->dimension, owner_->spacing()).support();
@@ -389,6 +392,13 @@ void FixAleisphTension::add_acceleration(double *a)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += rate * filtered_[k];
 }
 
+void FixAleisphTension::guard_velocity(double *v)
+{
+  auto &disc = owner_->discretization();
+  held_ = aleisph::hold_surface(disc.stencil(), rows_, owner_->role(), owner_->normal(),
+                                HOLD_REACH * disc.spacing(), disc.spacing(), v);
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
@@ -421,7 +431,7 @@ void FixAleisphTension::check_time_step() const
 }
 
 // mean and largest |K| on the surface, particles that feel tension, contact particles, and those
-// with too few neighbours, without their own curvature, with limited curvature, without normal
+// with too few neighbours, without their own curvature, with limited curvature, without normal; particles held above walls
 double FixAleisphTension::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
@@ -441,7 +451,8 @@ double FixAleisphTension::compute_vector(int n)
     case 4: return owner_->sum(count_.few);
     case 5: return owner_->sum(count_.unknown);
     case 6: return owner_->sum(count_.limited);
-    default: return owner_->sum(undirected_);
+    case 7: return owner_->sum(undirected_);
+    default: return owner_->sum(held_);
   }
 }
 

@@ -18,6 +18,7 @@ FixStyle(aleisph/tension,FixAleisphTension);
 
 #include "aleisph_contact.h"
 #include "aleisph_roughness.h"
+#include "aleisph_surface_hold.h"
 #include "aleisph_tension.h"
 #include "fix.h"
 #include "fix_aleisph.h"
@@ -31,6 +32,7 @@ class FixAleisphTension :
     public Fix,
     public AleisphTension,
     public AleisphAcceleration,
+    public AleisphVelocityGuard,
     public AleisphTimeStepLimit {
  public:
   FixAleisphTension(class LAMMPS *, int, char **);
@@ -52,6 +54,7 @@ class FixAleisphTension :
   const double *surface_normal() const override { return N_.data(); }
   const double *contact() const override { return contact_.empty() ? nullptr : contact_.data(); }
   void add_acceleration(double *a) override;
+  void guard_velocity(double *v) override;
   void time_step_limits(aleisph::StepBounds &limits) const override;
 
  private:
@@ -89,7 +92,7 @@ class FixAleisphTension :
   bool walls_;
   aleisph::ContactParams contact_params_;
   aleisph::CurvatureCount count_;
-  int ncontact_, undirected_;
+  int ncontact_, undirected_, held_;
   bigint version_;
 
   aleisph::Rows rows_;    // owned surface particles that feel tension

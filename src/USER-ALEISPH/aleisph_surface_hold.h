@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Surface particles next to walls. The pressure row of a particle on the
+   surface prescribes its pressure and knows nothing of a wall, so that nothing
+   stops a contact line from sinking into the wall that it stands on. For
+   surface particles closer to walls than `reach` [length], measured along
+   the normals of wall particles that they lie above (tangential offset below
+   0.8 d), the velocity relative to the nearest of these is replaced by the
+   nearest vector with v.n >= 0 for all their normals.
+
+   v: owned and ghost, the velocity of a wall particle is that of the wall;
+   changed on the owned rows listed. Returns the number of particles changed.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_SURFACE_HOLD_H
+#define LMP_ALEISPH_SURFACE_HOLD_H
+
+#include "aleisph_operators.h"
+
+namespace aleisph {
+
+int hold_surface(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
+                 double reach, double d, double *v);
+
+}    // namespace aleisph
+#endif
