@@ -43,7 +43,7 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach)
 {
   const int n = static_cast<int>(std::ceil(kernel.support() / d));
   const int nz = kernel.dim() == 3 ? n : 0;
-  double full = 0.0, half = 0.0;
+  double full = 0.0, half = 0.0, curved = 0.0;
   for (int k = -nz; k <= nz; k++)
     for (int j = -n; j <= n; j++)
       for (int i = -n; i <= n; i++) {
@@ -51,12 +51,14 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach)
         const double w = r < reach ? kernel.w(r) : 0.0;
         full += w;
         if (i <= 0) half += w;
+        if (i < 0) curved -= 0.5 * i * w;
       }
-  return {1.0 / (std::pow(d, kernel.dim()) * full), half / full};
+  return {1.0 / (std::pow(d, kernel.dim()) * full), half / full, curved / full};
 }
 
 void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                       const double *normal, double volume, double d, bool published, double *eps)
+                       const double *normal, double volume, double d, bool published, double *eps,
+                       const double *curvature)
 {
   const double reach = published ? nearest_reach(kernel.dim(), d) : kernel.support();
   const DensityScale scale = density_scale(kernel, d, reach);
@@ -70,6 +72,7 @@ void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid
       if (role[i] & SURFACE)
         expected = sees_wall(s, role, i) ? scale.flat : shape.density(shape.asymmetry(s, i));
     }
+    if (!published && curvature && (role[i] & SURFACE)) expected -= scale.curved * curvature[i] * d;
     eps[i] = scale.beta * volume * sum - expected;
     if (!published && std::fabs(eps[i]) < IMAGE_ERROR && sees_wall(s, role, i)) eps[i] = 0.0;
   }

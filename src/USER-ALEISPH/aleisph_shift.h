@@ -62,9 +62,12 @@ struct ShiftCount {
 };
 
 // beta such that beta sum_lattice V W = 1, and the value of beta sum V W on the outermost row of
-// a half lattice, both over |r| < reach
+// a half lattice, both over |r| < reach. On a curved surface this value is flat - curved K d, to
+// first order in the curvature K = div_s N: of a sphere of radius R, seen from its outermost
+// layer, the layer m d below has 1 - m d/R times what a plane has (R_m/R int W(q) 2 pi q dq,
+// q > m d), of a cylinder 1 - m d/(2 R); both are 1 - m d K/2.
 struct DensityScale {
-  double beta, flat;
+  double beta, flat, curved;
 };
 DensityScale density_scale(const Kernel &kernel, double d, double reach);
 
@@ -72,9 +75,11 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach);
 double nearest_reach(int dim, double d);
 
 // eps_i of the owned fluid rows listed; eps of other particles is not written. role, normal: owned
-// and ghost.
+// and ghost. curvature: K of owned particles on the surface if it is known (with surface tension);
+// without it the shift shrinks a ball of radius R = 6 d by 2 % of its volume.
 void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                       const double *normal, double volume, double d, bool published, double *eps);
+                       const double *normal, double volume, double d, bool published, double *eps,
+                       const double *curvature = nullptr);
 
 // dr of the owned fluid rows listed (3 per particle); zero on ballistic ones, which count as
 // neighbours all the same. A wall or buffer neighbour has the deviation of the particle itself:

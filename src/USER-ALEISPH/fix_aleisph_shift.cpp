@@ -207,7 +207,8 @@ void FixAleisphShift::shift()
   if (params_.model == ShiftModel::DENSITY) {
     eps_.assign(owner_->nall(), 0.0);
     aleisph::density_deviation(s, disc.kernel(), disc.fluid(), owner_->role(), owner_->normal(),
-                               disc.volume(), disc.spacing(), params_.published, eps_.data());
+                               disc.volume(), disc.spacing(), params_.published, eps_.data(),
+                               owner_->tension() ? owner_->tension()->curvature() : nullptr);
     owner_->forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);

@@ -53,6 +53,41 @@ TEST(DensityScale, NearestNeighboursAreThoseOfTheUnitCells)
   EXPECT_NEAR(near_beta(3), 1.0 / solid, ROUNDING);
 }
 
+// 1/2 sum m rho_m over the layers m = 1, 2 below the surface, relative to the whole lattice. 2d:
+// offsets 0, 1, 2 along the layers, where within the support 2.4 d.
+TEST(DensityScale, CurvedSurfacesLackPartOfTheLayersBelow)
+{
+  const auto w = [](int m, int n) { return cubic_spline(2, std::hypot(m, n) / 1.2); };
+  const double first = w(1, 0) + 2.0 * w(1, 1) + 2.0 * w(1, 2), second = w(2, 0) + 2.0 * w(2, 1);
+  const double surface = w(0, 0) + 2.0 * w(0, 1) + 2.0 * w(0, 2);
+  const double full = surface + 2.0 * (first + second);
+  EXPECT_NEAR(full_scale(2).curved, 0.5 * (first + 2.0 * second) / full, ROUNDING);
+}
+
+// A ring of layers at R - m d with as many particles per length as the lattice has: what its
+// outermost particles lack against a flat surface is curved K d, K = 1/R. The next order is
+// (d/R)^2; the factor covers its terms, of size one.
+TEST(DensityScale, IsThatOfADisc)
+{
+  const Kernel kernel(CUBIC, 2, H);
+  for (double R : {50.0, 200.0}) {
+    double sum = 0.0, flat = 0.0;
+    const int n = 200000;    // points per layer, for the integrals along them
+    for (int m = 0; m <= 2; m++)
+      for (int k = 0; k < n; k++) {
+        const double s = (k + 0.5) / n * 6.0 - 3.0, angle = s / R;
+        const double r = (R - m) * D;
+        const double x = r * std::sin(angle), y = r * std::cos(angle) - R * D;
+        sum += kernel.w(std::hypot(x, y)) * r / (R * D) * 6.0 / n * D * D;
+        flat += kernel.w(D * std::hypot(s, m)) * 6.0 / n * D * D;
+      }
+    // integrals along layers and lattice sums differ by 1 %
+    const double curved = full_scale(2).curved;
+    EXPECT_NEAR((flat - sum) * R, curved, 0.02 * curved + 1.0 / R);
+    EXPECT_GT((flat - sum) * R, 0.5 * curved);
+  }
+}
+
 // Values found beforehand by an independent program (prototype of the method) to the digits
 // shown: half a unit of the last one
 TEST(DensityScale, AgreesWithKnownValues)
