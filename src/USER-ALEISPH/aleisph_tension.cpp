@@ -144,21 +144,30 @@ double outer_curvature(const Mat3 &A, double d, CurvatureCount &count)
   return K;
 }
 
-// mean over i and its neighbours with known K; 0 if there is none
-double local_mean(const Stencil &s, const Role *role, const double *N, const double *K,
-                  const double *known, double reach, int i)
+struct Mean {
+  double sum = 0.0, weights = 0.0;
+  void add(double w, double value)
+  {
+    sum += w * value;
+    weights += w;
+  }
+  bool known() const { return weights > 0.0; }
+  double value() const { return known() ? sum / weights : 0.0; }
+};
+
+// over i and its neighbours with known K
+Mean local_mean(const Stencil &s, const Role *role, const double *N, const double *K,
+                const double *known, double reach, int i)
 {
   const Vec3 Ni = vec(N, i);
-  double sum = known[i] > 0.0 ? K[i] : 0.0, weights = known[i] > 0.0 ? 1.0 : 0.0;
+  Mean mean;
+  if (known[i] > 0.0) mean.add(1.0, K[i]);
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
     if (s.r()[k] >= reach || !is_surface(role[j]) || !(known[j] > 0.0)) continue;
-    if (!(Ni.dot(vec(N, j)) > MIN_COSINE)) continue;
-    const double w = 1.0 - s.r()[k] / reach;
-    sum += w * K[j];
-    weights += w;
+    if (Ni.dot(vec(N, j)) > MIN_COSINE) mean.add(1.0 - s.r()[k] / reach, K[j]);
   }
-  return weights > 0.0 ? sum / weights : 0.0;
+  return mean;
 }
 
 double limit(double K, double bound, CurvatureCount &count)
@@ -238,6 +247,29 @@ CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role 
   return count;
 }
 
+void surface_mean(const Stencil &wide, const Rows &rows, const Role *role, const double *N,
+                  const double *K, const double *known, double d, double *mean, double *known_mean)
+{
+  const double reach = wide_kernel(wide.dim(), d).support();
+  for (int i : rows) {
+    const Mean m = local_mean(wide, role, N, K, known, reach, i);
+    mean[i] = m.value();
+    known_mean[i] = m.known() ? 1.0 : 0.0;
+  }
+}
+
+void sharpen_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *mean,
+                       const double *mean2, const double *mean3, double d, double *K,
+                       CurvatureCount &count)
+{
+  for (int i : rows) {
+    K[i] = 0.0;
+    if (few_neighbours(s, role, i)) continue;
+    const double rest = mean[i] - mean2[i], second = rest - (mean2[i] - mean3[i]);
+    K[i] = limit(mean[i] + 1.5 * rest + 1.875 * second, 1.0 / d, count);
+  }
+}
+
 void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *N,
                       const double *K, const double *known, double d, double *mean,
                       CurvatureCount &count)
@@ -245,7 +277,7 @@ void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, cons
   for (int i : rows) {
     mean[i] = 0.0;
     if (few_neighbours(s, role, i)) continue;
-    mean[i] = limit(local_mean(s, role, N, K, known, MEAN_REACH * d, i), 1.0 / d, count);
+    mean[i] = limit(local_mean(s, role, N, K, known, MEAN_REACH * d, i).value(), 1.0 / d, count);
   }
 }
 

@@ -253,6 +253,11 @@ void FixAleisphTension::pre_force(int)
 void FixAleisphTension::rebuild()
 {
   const std::size_t nall = owner_->nall();
+  if (walls_ && model_ == Model::TANGENT) {
+    auto &disc = owner_->discretization();
+    aleisph::bind_tips(disc.stencil(), disc.fluid(), disc.spacing(), owner_->surface_role());
+    owner_->forward_roles();
+  }
   rows_ = aleisph::surface_rows(owner_->discretization().fluid(), owner_->role());
   count_ = {};
   N_.assign(3 * nall, 0.0);
@@ -328,6 +333,19 @@ void FixAleisphTension::find_curvature()
   owner_->forward(known_.data(), 1);
   aleisph::smooth_curvature(disc.stencil(), rows_, owner_->role(), N_.data(), K_.data(),
                             known_.data(), disc.spacing(), mean_.data(), count_);
+  if (walls_) set_contact_angle();
+}
+
+// near contact lines, the curvature that the angle demands and the normal that goes with it
+void FixAleisphTension::set_contact_angle()
+{
+  auto &disc = owner_->discretization();
+  share_.assign(atom->nlocal, 0.0);
+  count_.limited += aleisph::contact_curvature(wide_, rows_, owner_->role(), owner_->normal(),
+                                               cosine_.data(), N_.data(), disc.spacing(),
+                                               contact_params_, share_.data(), mean_.data());
+  aleisph::contact_surface_normals(rows_, share_.data(), N_.data(), owner_->normal());
+  owner_->forward(owner_->normal(), 3);
 }
 
 /* ----------------------------------------------------------------------

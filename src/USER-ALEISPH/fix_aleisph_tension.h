@@ -76,6 +76,7 @@ class FixAleisphTension :
   void find_contact_lines();
   void find_normals();
   void find_curvature();
+  void set_contact_angle();
   void find_pressure();
   void check_time_step() const;
   double viscous_pressure_factor() const;
@@ -98,6 +99,7 @@ class FixAleisphTension :
   aleisph::Rows rows_;    // owned surface particles that feel tension
   aleisph::Stencil wide_;
   std::vector<double> N_, K_, known_, mean_, p_;
+  std::vector<double> share_;    // of the contact angle in K and normal, owned particles
   std::vector<double> cosine_, contact_, plane_, lambda_, grad_v_;
   std::vector<double> filtered_;
 };

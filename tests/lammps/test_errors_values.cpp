@@ -12,7 +12,7 @@ TEST(ValueErrors, CutoffTooSmall)
   Simulation sim(small_channel());
   const std::string script = small_script().text();
   const std::string message = sim.error_of("comm_modify cutoff 0.3\n" + script + "run 0");
-  expect_words(message, {"ix aleisph", "0.3", "support + skin"});
+  expect_words(message, {"ix aleisph", "0.3", "reach + skin"});
   const double needed = number_after(message, "use comm_modify cutoff ");
   EXPECT_NEAR(needed, 2.0 * 1.2 * 0.2 + 0.3 * 0.2, 1e-6);
 
