@@ -12,6 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double REACH = 4.8;         // of the fit of K_c, in spacings: all of the wide stencil
+constexpr double PARALLEL = 0.25;     // sin of 14.5 degrees between N and n
 constexpr double TIP_REACH = 1.7;     // in spacings: nearest neighbours
 constexpr double MIN_COSINE = 0.3;    // normals further apart belong to different surfaces
 
@@ -128,7 +129,6 @@ class ContactCurvature {
 
  private:
   static constexpr double TOUCHING = 1.9, FADE = 0.5;    // heights in spacings
-  static constexpr double PARALLEL = 0.25;               // sin of 14.5 degrees
 
   const WallBelow wall_;
   const Vector3d N_;
@@ -170,7 +170,7 @@ int contact_normals(const Stencil &s, const Rows &surface, const Role *role, con
     if (separation(s, k).dot(n) >= params.reach * d) continue;
     const Vector3d along = N - N.dot(n) * n;
     const double length = along.norm();
-    if (!(length > 1.0e-6)) continue;
+    if (!(length > PARALLEL)) continue;
     const double c = cosine[j], sine = std::sqrt(1.0 - c * c);
     const Vector3d Nc = sine / length * along + c * n;
     for (int a = 0; a < 3; a++) contact[4 * i + a] = Nc[a];

@@ -24,7 +24,9 @@
    2. Below the wall the fluid is continued along the tangent that theta
       prescribes, so that the wide colour gradient gives N near the line:
       a. A contact particle is a particle on the surface closer than `reach` to
-         a wall, along the wall's normal n. Its contact normal is
+         a wall, along the wall's normal n, where the surface is not parallel to
+         the wall. Below an overhang the lowest particle on the surface may be
+         1.5 d above the wall. Its contact normal is
            N_c = t sin(theta) + n cos(theta)
          (t: direction of N along the wall), the contact plane goes through
          x_c = x_i + (d/2) N_c.
@@ -49,7 +51,7 @@
 namespace aleisph {
 
 struct ContactParams {
-  double reach = 1.5;              // of contact particles, in spacings
+  double reach = 2.0;              // of contact particles, in spacings
   int depth = 4;                   // rows of sources below the wall
   double near = 1.5, far = 3.0;    // heights over which K_c fades out, in spacings
 };
