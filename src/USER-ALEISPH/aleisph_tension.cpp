@@ -247,29 +247,6 @@ CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role 
   return count;
 }
 
-void surface_mean(const Stencil &wide, const Rows &rows, const Role *role, const double *N,
-                  const double *K, const double *known, double d, double *mean, double *known_mean)
-{
-  const double reach = wide_kernel(wide.dim(), d).support();
-  for (int i : rows) {
-    const Mean m = local_mean(wide, role, N, K, known, reach, i);
-    mean[i] = m.value();
-    known_mean[i] = m.known() ? 1.0 : 0.0;
-  }
-}
-
-void sharpen_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *mean,
-                       const double *mean2, const double *mean3, double d, double *K,
-                       CurvatureCount &count)
-{
-  for (int i : rows) {
-    K[i] = 0.0;
-    if (few_neighbours(s, role, i)) continue;
-    const double rest = mean[i] - mean2[i], second = rest - (mean2[i] - mean3[i]);
-    K[i] = limit(mean[i] + 1.5 * rest + 1.875 * second, 1.0 / d, count);
-  }
-}
-
 void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *N,
                       const double *K, const double *known, double d, double *mean,
                       CurvatureCount &count)

@@ -111,11 +111,10 @@ class AleisphTension {
 
 // What a free surface means to other styles
 struct AleisphSurface {
-  static constexpr double DEFAULT = -1.0;
   bool present = false;
-  double offset = DEFAULT;    // of the surface from its particles, in spacings
-  double pressure = 0.0;      // outside
-  double floor = 0.2;         // of the eigenvalues of M in L
+  double offset = 0.5;       // of the surface from its particles, in spacings
+  double pressure = 0.0;     // outside
+  double floor = 0.2;        // of the eigenvalues of M in L
   double dry_reach = 1.2;    // wall particles farther from all fluid, in spacings, are dry; 0: none
 };
 
@@ -189,13 +188,6 @@ class FixAleisph : public Fix {
   double *wall_shape() { return shape_.data(); }
   // while normals are being found: those of the step before (3 per owned particle), zero if none
   const double *previous_normal() const { return previous_normal_.data(); }
-  // A layer that oscillates has cells that are stretched: with surface tension the condition at
-  // the centres gives the better frequencies and much less noise.
-  double surface_offset() const
-  {
-    if (surface_.offset != AleisphSurface::DEFAULT) return surface_.offset;
-    return tension_ ? 0.0 : 0.5;
-  }
   const AleisphTension *tension() const { return tension_; }    // null if there is none
   double viscosity() const { return nu_; }                      // kinematic, of the predictor
   bool has_surface() const { return surface_.present; }

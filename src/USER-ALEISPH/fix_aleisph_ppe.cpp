@@ -182,7 +182,7 @@ aleisph::PpeOptions FixAleisphPPE::options() const
 {
   aleisph::PpeOptions options;
   if (!owner_->has_surface()) return options;
-  options.surface_offset = owner_->surface_offset() * owner_->spacing();
+  options.surface_offset = owner_->surface().offset * owner_->spacing();
   const auto &disc = owner_->discretization();
   options.min_wall_lambda = MIN_WALL_LAMBDA *
       aleisph::lattice_corner_lambda(disc.kernel(), disc.spacing());

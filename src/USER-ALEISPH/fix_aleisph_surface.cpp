@@ -7,6 +7,7 @@
 #include "fix_aleisph_surface.h"
 
 #include "error.h"
+#include "modify.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -15,8 +16,18 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using aleisph::Part;
 
+namespace {
+
+// With surface tension the row at the centres gives the better frequencies, for the cells of a layer
+// that oscillates are stretched, and much less noise. And the packing below a layer that has shrunk
+// is loose: holes of one particle must not be taken for a surface, they would be sucked at.
+constexpr double OFFSET = 0.5, OFFSET_TENSION = 0.0;
+constexpr double REACH = 2.0, REACH_TENSION = 2.3;
+
+}    // namespace
+
 FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), owner_(nullptr), version_(-1)
+    Fix(lmp, narg, arg), offset_(-1.0), reach_(-1.0), owner_(nullptr), version_(-1)
 {
   surface_.present = true;
   parse(narg, arg);
@@ -42,13 +53,13 @@ void FixAleisphSurface::parse(int narg, char **arg)
     if (key == "row") {
       if (value != "half" && value != "centre")
         error->all(FLERR, "Fix aleisph/surface: row must be half or centre, not {}", value);
-      surface_.offset = value == "half" ? 0.5 : 0.0;
+      offset_ = value == "half" ? 0.5 : 0.0;
     } else if (key == "lambda") {
       params_.max_lambda = number(0.0, 1.0);
     } else if (key == "angle") {
       params_.half_angle = number(20.0, 90.0);
     } else if (key == "reach") {
-      params_.reach = number(1.0, 3.0);
+      reach_ = number(1.0, 3.0);
     } else if (key == "pressure") {
       surface_.pressure = utils::numeric(FLERR, value, false, lmp);
     } else if (key == "floor") {
@@ -69,6 +80,9 @@ void FixAleisphSurface::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
   owner_->check_fluid_fix(this);
+  const bool tension = !modify->get_fix_by_style("^aleisph/tension$").empty();
+  surface_.offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
+  params_.reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
   owner_->set_surface(surface_);
   const double support = owner_->discretization().kernel().support() / owner_->spacing();
   params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);

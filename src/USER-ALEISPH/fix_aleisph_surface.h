@@ -37,6 +37,7 @@ class FixAleisphSurface : public Fix {
 
   aleisph::SurfaceParams params_;
   AleisphSurface surface_;
+  double offset_, reach_;    // as given, < 0: the default
   FixAleisph *owner_;
   bigint version_;    // of the positions that the flags belong to
   aleisph::SurfaceCount count_;
