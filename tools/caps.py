@@ -11,8 +11,9 @@ z = 0 (3d), the fluid above it.
   p         mean inner pressure; reference: sigma/R (2d), 2 sigma/R (3d)
   shape     deviation of the surface from the fitted circle in spacings (rms, largest)
   stray     surface particles farther than one spacing from it, left out of the fit
-pendant: a drop under a ceiling at z = 0, next to the Young-Laplace drop of the same volume; height,
-radius and angle at the ceiling from lines through the surface within 4 d of it.
+pendant: a drop under a ceiling at z = 0, next to the Young-Laplace drop of the same volume; height
+from a paraboloid through the surface within 3 d of the axis, radius and angle at the ceiling from
+lines through the surface within 4 d of it.
   verdict   falls: a tenth of the fluid is deeper than any drop in equilibrium reaches; hangs: it is
             not, and the fluid is at rest; else moves
 The volume is N d^dim and half a cell for each spot of the wall that is wet: the first particles are
@@ -193,6 +194,21 @@ def ceiling_line(rows, d, axis):
     return radius, math.degrees(math.atan2(1.0, -tangent))
 
 
+def apex_depth(rows, d, axis):
+    """Depth of the surface on the axis: a paraboloid through the surface particles within 3 d of it,
+    half a spacing below them. One particle that sticks out counts little."""
+    lines, values = [], []
+    middle = sum(row["z"] for row in rows) / len(rows)
+    for row in rows:
+        x, y = row["x"] - axis[0], row["y"] - axis[1]
+        if row["surface"] and row["z"] < middle and math.hypot(x, y) < 3.0 * d:
+            lines.append([1.0, x / d, y / d, (x * x + y * y) / d**2])
+            values.append(0.5 * d - row["z"])
+    if len(values) < 10:
+        return 0.5 * d - min(row["z"] for row in rows)
+    return least_squares(lines, values)[0]
+
+
 def verdict(rows, time, options, length):
     """falls, hangs or moves (see above), and the rms velocity in units of the drop."""
     count = options.copies * len(rows)
@@ -222,7 +238,7 @@ def hanging(rows, time, options):
     volume = count * d**3 + 0.5 * d * wet(radius, 3)
     lines.append(other(case, "volume", time, degrees, f"value={volume:.6g}"))
     exact = pendant.equilibrium(volume / length**3, degrees)
-    height = 0.5 * d - min(row["z"] for row in rows)
+    height = apex_depth(rows, d, axis)
     if exact is None:
         lines.append(other(case, "height", time, degrees, f"value={height:.6g}"))
         return lines, []

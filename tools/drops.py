@@ -11,33 +11,42 @@ frame, as LAMMPS commands:
   sphericity  largest radius of the surface over R; linf, l2: largest and rms difference of the
               radii of surface particles from R, in spacings; inner: surface particles of the
               second layer, 0.6 d and more inside the outline
-  volume      inside a smooth outline (harmonics up to degree 8 in 3d, 12 in 2d, fitted without the
-              inner particles) over that of the particles
+  volume      value: that of the particles over their numerical density, the kernel sum of deep
+              ones; outline: inside a smooth outline (harmonics up to degree 8 in 3d, 12 in 2d,
+              fitted without the inner particles); both over that of the particles. Where the layer
+              of surface particles is denser than the lattice, the surface is farther outside than
+              half a spacing, and the outline too small; layer: surface particles per d^(dim - 1)
   velocity    largest |v| over sqrt(sigma/(rho R))
-and for all frames, with --energy, kinetic energy plus sigma times the area of the outline
+and for all frames, with --energy, kinetic energy plus sigma times the area of that outline, scaled
+to the volume of the particles: its distance from them is known to about 0.1 d only
   energy      at the end over that of the disc or ball at rest; rise: largest growth above any
               earlier frame, in the same units
 --series FILE keeps these for all frames. --mode SERIES reads columns t [sqrt(rho R^3/sigma)] and a,
 the amplitude of the mode n = 2, of a file of fix ave/time, and adds
-  frequency, damping    over linear theory (Rayleigh; Lamb, Hydrodynamics, 275 and 355):
-              omega^2 = 6 sigma/(rho R^3), gamma = 4 nu/R^2 in 2d; 8 and 5 in 3d
+  frequency, damping    of that mode, in that unit of time; reference: linear theory with all of
+              viscosity (oscillation.py); l2: relative error; leading: to leading order
+              in nu, omega^2 = 6 and gamma = 4 nu/R^2 in 2d, 8 and 5 nu/R^2 in 3d
 Standard library only.
 """
 
 import argparse
+import itertools
 import math
 from pathlib import Path
 
 import oscillation
 from series import print_command, read_series
-from star import Star, dot, unit
+from star import Star, dot
 
+H_OVER_D = 1.2    # kernel of the density: cubic spline, whatever the run uses
+SAMPLE = 400      # particles whose density is summed
+ENOUGH = 800      # surface particles for an outline of which there are many
 INNER = 0.6    # surface particles deeper than this below the outline are not of the outer layer
 DEEP = 3.0     # where the pressure is taken, below the surface, in spacings
 
 
 def frames(path):
-    """(time, {column: list of numbers}) of every snapshot of a text dump with times."""
+    """(time, names of columns, lines) of every snapshot of a text dump with times."""
     with open(path, encoding="ascii") as lines:
         time = 0.0
         for line in lines:
@@ -46,8 +55,13 @@ def frames(path):
             elif line.startswith("ITEM: NUMBER"):
                 count = int(next(lines))
             elif line.startswith("ITEM: ATOMS"):
-                rows = [map(float, next(lines).split()) for _ in range(count)]
-                yield time, dict(zip(line.split()[2:], map(list, zip(*rows))))
+                yield time, line.split()[2:], [next(lines) for _ in range(count)]
+
+
+def numbers(names, lines):
+    """{column: list of numbers}"""
+    rows = [map(float, line.split()) for line in lines]
+    return dict(zip(names, map(list, zip(*rows))))
 
 
 def vectors(columns, names):
@@ -68,6 +82,35 @@ def sphere_radius(volume, dim):
 
 def sphere_area(radius, dim):
     return 2.0 * math.pi * radius if dim == 2 else 4.0 * math.pi * radius**2
+
+
+def kernel(q, dim):
+    """Cubic spline times h^dim, of q = r/h."""
+    shape = 1.0 - 1.5 * q * q + 0.75 * q**3 if q < 1.0 else 0.25 * max(2.0 - q, 0.0)**3
+    return shape * (10.0 / (7.0 * math.pi) if dim == 2 else 1.0 / math.pi)
+
+
+class Cells:
+    """Particles by cells of the size of the support."""
+
+    def __init__(self, x, d):
+        self.h = H_OVER_D * d
+        self.cells = {}
+        for p in x:
+            self.cells.setdefault(self.cell(p), []).append(p)
+
+    def cell(self, p):
+        return tuple(math.floor(a / (2.0 * self.h)) for a in p)
+
+    def density(self, p, d):
+        """V sum_j W at a point."""
+        total = 0.0
+        for shift in itertools.product((-1, 0, 1), repeat=len(p)):
+            for other in self.cells.get(tuple(map(sum, zip(self.cell(p), shift))), ()):
+                q = math.dist(p, other) / self.h
+                if q < 2.0:
+                    total += kernel(q, len(p))
+        return total * (d / self.h)**len(p)
 
 
 class Drop:
@@ -93,12 +136,22 @@ class Drop:
         return [size(p) + 0.5 * self.d
                 for p, on in zip(self.x, self.columns["surface"]) if on]
 
-    def outline(self, star):
-        """(coefficients, number of inner particles)"""
-        points = self.surface()
-        fit = star.fit(points)
-        outer = [p for p in points if size(p) > star.radius(fit, p) - INNER * self.d]
-        return star.fit(outer), len(points) - len(outer)
+    def outline(self, star, every=1):
+        """(coefficients, number of inner particles), from every so many surface particles"""
+        return star.fit(self.surface()[::every], INNER * self.d)
+
+    def density(self, nearest):
+        """Mean numerical density of some particles deeper than 3 d."""
+        deep = [x for x in self.x if size(x) < nearest - DEEP * self.d]
+        if not deep:
+            return math.nan
+        cells = Cells(self.x, self.d)
+        return mean([cells.density(x, self.d) for x in deep[::1 + len(deep) // SAMPLE]])
+
+    def layer(self):
+        """Surface particles per d^(dim - 1) of the sphere or circle on which they lie."""
+        radii = [r - 0.5 * self.d for r in self.radii()]
+        return len(radii) * self.d**(self.dim - 1) / sphere_area(mean(radii), self.dim)
 
     def pressure(self, nearest):
         """Mean over particles deeper than 3 d below a sphere; (pressure, their number)."""
@@ -118,9 +171,11 @@ def star_for(drop):
 
 
 def energy_row(time, drop, star, rho, sigma):
-    """Energies in units of sigma times the area of the sphere of that volume."""
-    fit, inner = drop.outline(star)
+    """Energies in units of sigma times the area of the sphere of that volume. ENOUGH particles
+    determine the outline; the inner ones are counted among these."""
+    fit, inner = drop.outline(star, 1 + sum(map(bool, drop.columns["surface"])) // ENOUGH)
     volume, area = star.measures(fit)
+    area *= (drop.volume / volume)**(1.0 - 1.0 / drop.dim)
     whole = sigma * sphere_area(drop.R, drop.dim)
     kinetic = 0.5 * rho * drop.d**drop.dim * sum(v * v for v in drop.speeds())
     radii = drop.radii()
@@ -144,19 +199,29 @@ def line(options, quantity, *more):
 
 def result_lines(drop, star, options):
     fit, inner = drop.outline(star)
+    if not options.only:
+        yield from flow_lines(drop, min(star.radii(fit)), options)
+    yield from shape_lines(drop, inner, options)
+    volume = 1.0 / drop.density(min(star.radii(fit)))
+    yield line(options, "volume", f"value={volume:.5f}", "reference=1",
+               f"outline={star.measures(fit)[0] / drop.volume:.5f}", f"layer={drop.layer():.3f}")
+
+
+def flow_lines(drop, nearest, options):
     p_exact = (drop.dim - 1) * options.sigma / drop.R
-    p, count = drop.pressure(min(star.radii(fit)))
+    p, count = drop.pressure(nearest)
     yield line(options, "p", f"value={p:.6g}", f"reference={p_exact:.6g}",
-               f"l2={abs(p / p_exact - 1):.3e}", f"particles={count}")
+               f"l2={abs(p / p_exact - 1):.3e}", f"deep={count}")
+    scale = math.sqrt(options.sigma / (options.rho * drop.R))
+    yield line(options, "velocity", f"value={max(drop.speeds()) / scale:.5f}", "reference=0")
+
+
+def shape_lines(drop, inner, options):
     radii = drop.radii()
     off = [(r - drop.R) / drop.d for r in radii]
     yield line(options, "sphericity", f"value={max(radii) / drop.R:.4f}", "reference=1",
                f"linf={max(map(abs, off)):.3f}", f"l2={math.sqrt(mean([a * a for a in off])):.3f}",
                f"inner={inner}")
-    yield line(options, "volume", f"value={star.measures(fit)[0] / drop.volume:.5f}",
-               "reference=1")
-    scale = math.sqrt(options.sigma / (options.rho * drop.R))
-    yield line(options, "velocity", f"value={max(drop.speeds()) / scale:.5f}", "reference=0")
 
 
 def mode_lines(drop, options):
@@ -165,15 +230,14 @@ def mode_lines(drop, options):
     series = read_series(options.mode)
     times, values = ([float(a) for a in series[name][len(series["t"]) // 10:]]
                      for name in ("t", "a"))
-    unit_time = math.sqrt(options.rho * drop.R**3 / options.sigma)
-    omega = math.sqrt(6.0 if drop.dim == 2 else 8.0)
-    gamma = (4.0 if drop.dim == 2 else 5.0) * options.nu / drop.R**2 * unit_time
-    found = oscillation.fit(times, values, omega, gamma)
-    rest = f"rest={found[2]:.3f}"
-    yield line(options, "frequency", f"value={found[0]:.5f}", f"reference={omega:.5f}",
-               f"l2={abs(found[0] / omega - 1):.3e}", rest)
-    yield line(options, "damping", f"value={found[1]:.5f}", f"reference={gamma:.5f}",
-               f"l2={abs(found[1] / gamma - 1):.3e}" if gamma else "l2=nan", rest)
+    nu = options.nu / math.sqrt(options.sigma * drop.R / options.rho)
+    leading = oscillation.inviscid(drop.dim, 2, nu)
+    exact = oscillation.viscous(drop.dim, 2, nu)
+    *found, rest = oscillation.fit(times, values, *exact)
+    for k, name in enumerate(("frequency", "damping")):
+        error = abs(found[k] / exact[k] - 1.0) if exact[k] else math.nan
+        yield line(options, name, f"value={found[k]:.5f}", f"reference={exact[k]:.5f}",
+                   f"l2={error:.3e}", f"leading={leading[k]:.5f}", f"rest={rest:.3f}")
 
 
 def write_series(path, rows):
@@ -191,6 +255,7 @@ def parse():
     parser.add_argument("--rho", type=float, required=True)
     parser.add_argument("--sigma", type=float, required=True)
     parser.add_argument("--time", type=float, default=0.0, help="as it stands on the result lines")
+    parser.add_argument("--only", choices=("shape",), help="sphericity and volume")
     parser.add_argument("--energy", action="store_true", help="measure all frames")
     parser.add_argument("--series", metavar="FILE")
     parser.add_argument("--mode", metavar="SERIES", help="amplitude of the mode n = 2")
@@ -202,11 +267,14 @@ def parse():
 def main():
     options = parse()
     rows, star = [], None
-    for time, columns in frames(options.dump):
-        drop = Drop(columns, options.dim, options.d)
-        star = star or star_for(drop)
+    for time, names, lines in frames(options.dump):
         if options.energy:
+            drop = Drop(numbers(names, lines), options.dim, options.d)
+            star = star or star_for(drop)
             rows.append(energy_row(time, drop, star, options.rho, options.sigma))
+    if not options.energy:
+        drop = Drop(numbers(names, lines), options.dim, options.d)
+        star = star_for(drop)
     lines = list(result_lines(drop, star, options))
     if rows:
         energies = [row["energy"] for row in rows]

@@ -111,13 +111,16 @@ class Star:
         behind = self.at(unit([a - STEP * b for a, b in zip(u, tangent)]))
         return [(a - b) / (2.0 * STEP) for a, b in zip(ahead, behind)]
 
-    def fit(self, points):
-        """Coefficients of the outline through points relative to its centre."""
-        columns = list(zip(*(self.at(unit(p)) for p in points)))
-        return least_squares(columns, [math.sqrt(dot(p, p)) for p in points])
-
-    def radius(self, fit, point):
-        return dot(fit, self.at(unit(point)))
+    def fit(self, points, depth):
+        """Coefficients of the outline through points relative to its centre, and how many of them
+        are left out, since they are deeper than this below the outline through all."""
+        rows = [self.at(unit(p)) for p in points]
+        radii = [math.sqrt(dot(p, p)) for p in points]
+        fit = least_squares(list(zip(*rows)), radii)
+        outer = [k for k, row in enumerate(rows) if radii[k] > dot(fit, row) - depth]
+        if len(outer) < len(points):
+            fit = least_squares(list(zip(*(rows[k] for k in outer))), [radii[k] for k in outer])
+        return fit, len(points) - len(outer)
 
     def radii(self, fit):
         return [dot(fit, values) for values in self.values]

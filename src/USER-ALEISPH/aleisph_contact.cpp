@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
 #include "aleisph_contact.h"
+#include "aleisph_contact_walls.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -39,56 +40,11 @@ double smooth_step(double x)
   return x * x * (3.0 - 2.0 * x);
 }
 
-// pair of i with the nearest wall particle, -1 if there is none
-int nearest_wall(const Stencil &s, int i, const Role *role)
-{
-  int nearest = -1;
-  for (int k = s.begin(i); k < s.end(i); k++)
-    if ((role[s.col()[k]] & WALL) && (nearest < 0 || s.r()[k] < s.r()[nearest])) nearest = k;
-  return nearest;
-}
-
-/* ----------------------------------------------------------------------
-   The wall at particle i: a mean of the wall particles that are less than d
-   farther than the nearest, so that it changes smoothly as i moves along a
-   curved wall.
-------------------------------------------------------------------------- */
-struct WallBelow {
-  Vector3d n = Vector3d::Zero();
-  double height = 0.0;    // [length]
-  double cosine = 0.0;
-};
-
-bool wall_below(const Stencil &wide, const Role *role, const double *normal, const double *cosine,
-                double d, int i, WallBelow &wall)
-{
-  const int nearest = nearest_wall(wide, i, role);
-  if (nearest < 0) return false;
-  double weights = 0.0;
-  for (int k = wide.begin(i); k < wide.end(i); k++) {
-    const int j = wide.col()[k];
-    const double beyond = (wide.r()[k] - wide.r()[nearest]) / d;
-    if (!(role[j] & WALL) || beyond >= 1.0) continue;
-    const double w = (1.0 - beyond) * (1.0 - beyond);
-    const Vector3d n = vector_at(normal, j);
-    wall.n += w * n;
-    wall.height += w * separation(wide, k).dot(n);
-    wall.cosine += w * cosine[j];
-    weights += w;
-  }
-  const double length = wall.n.norm();
-  if (!(length > 0.0)) return false;
-  wall.n /= length;
-  wall.height /= weights;
-  wall.cosine /= weights;
-  return true;
-}
-
 // Sums of K_c at one particle
 class ContactCurvature {
  public:
   // dim 2: nothing is summed along the line
-  ContactCurvature(const WallBelow &wall, const Vector3d &N, double d, int dim) :
+  ContactCurvature(const ContactWall &wall, const Vector3d &N, double d, int dim) :
       wall_(wall), N_(N), d_(d), along_(dim == 3 ? Vector3d(N.cross(wall.n)) : Vector3d::Zero())
   {
     const double length = along_.norm();
@@ -115,27 +71,154 @@ class ContactCurvature {
     return touching_ * std::min(1.0, slope / PARALLEL);
   }
 
-  // within 1/d; limited: whether it was beyond
-  double value(bool &limited) const
+  // k, across the wall
+  double ascent() const { return heights_ > 0.0 ? ascent_ / heights_ : 0.0; }
+
+  // K_a, along the line
+  double turn() const
   {
-    const double bound = 1.0 / d_;
-    double K = heights_ > 0.0 ? ascent_ / heights_ : 0.0;
+    const double bound = 1.0 / d_, k = lengths_ > 0.0 ? turn_ / lengths_ : 0.0;
     // particles lie d/2 inside the surface; the pole at -2/d is out of reach
-    const double k = lengths_ > 0.0 ? turn_ / lengths_ : 0.0;
-    K += std::max(k, -bound) / (1.0 + 0.5 * d_ * std::max(k, -bound));
-    limited = std::abs(K) > bound;
-    return std::clamp(K, -bound, bound);
+    return std::max(k, -bound) / (1.0 + 0.5 * d_ * std::max(k, -bound));
   }
 
  private:
   static constexpr double TOUCHING = 1.9, FADE = 0.5;    // heights in spacings
 
-  const WallBelow wall_;
+  const ContactWall wall_;
   const Vector3d N_;
   const double d_;
   Vector3d along_;    // the line
   double ascent_ = 0.0, heights_ = 0.0, turn_ = 0.0, lengths_ = 0.0, touching_ = 0.0;
 };
+
+// N_c: the part of N along all walls, turned so that N_c.n = cos(theta) on each of them. Walls to
+// which the rest of it is parallel are left out.
+class ContactNormal {
+ public:
+  explicit ContactNormal(const Vector3d &N) : along_(N) {}
+
+  void add(const ContactWall &wall)
+  {
+    // n = across_.n + a q with a unit vector q at right angles to the walls before
+    Vector3d q = wall.n;
+    for (const Vector3d &p : basis_) q -= q.dot(p) * p;
+    const double a = q.norm();
+    if (!(a > PARALLEL)) return;
+    q /= a;
+    const Vector3d along = along_ - along_.dot(q) * q;
+    if (!(along.norm() > PARALLEL)) return;
+    along_ = along;
+    across_ += (wall.cosine - across_.dot(wall.n)) / a * q;
+    basis_.push_back(q);
+  }
+
+  bool found() const { return !basis_.empty(); }
+
+  // Where both angles together cannot be had, the fluid runs along the edge without end (Concus &
+  // Finn, Proc. Natl Acad. Sci. 63 (1969) 292), and N_c lies across it.
+  Vector3d value() const
+  {
+    const double rest = 1.0 - across_.squaredNorm();
+    if (!(rest > 0.0)) return across_.normalized();
+    return std::sqrt(rest) / along_.norm() * along_ + across_;
+  }
+
+ private:
+  Vector3d along_, across_ = Vector3d::Zero();
+  std::vector<Vector3d> basis_;
+};
+
+/* ----------------------------------------------------------------------
+   K_c from the two walls that have the largest shares s and s',
+     (1 - s)(1 - s') K + s (1 - s')(k + K_a) + s' (1 - s)(k' + K_a') + s s'(k + k').
+   Where both count in full, N.n and N.n' each change with the height over
+   their own wall; these are coordinates across the edge, and div N is the sum.
+------------------------------------------------------------------------- */
+class EdgeCurvature {
+ public:
+  void add(const ContactCurvature &sums, double share)
+  {
+    Part part = {share, sums.ascent(), sums.turn()};
+    if (part.share > first_.share) std::swap(part, first_);
+    if (part.share > second_.share) std::swap(part, second_);
+  }
+
+  double share() const { return first_.share + second_.share - first_.share * second_.share; }
+
+  // within 1/d; limited: whether it was beyond
+  double value(double d, bool &limited) const
+  {
+    const double s = first_.share, t = second_.share;
+    const double sum = s * (1.0 - t) * (first_.across + first_.along) +
+        t * (1.0 - s) * (second_.across + second_.along) + s * t * (first_.across + second_.across);
+    const double K = share() > 0.0 ? sum / share() : 0.0, bound = 1.0 / d;
+    limited = std::abs(K) > bound;
+    return std::clamp(K, -bound, bound);
+  }
+
+ private:
+  struct Part {
+    double share = 0.0, across = 0.0, along = 0.0;
+  };
+  Part first_, second_;
+};
+
+// at i, above one of the walls
+ContactCurvature near_wall(const Stencil &wide, const Role *role, const double *N, double d, int i,
+                           const ContactWall &wall)
+{
+  const Vector3d Ni = vector_at(N, i);
+  ContactCurvature sums(wall, Ni, d, wide.dim());
+  sums.add(Vector3d::Zero(), Ni, REACH * d);
+  for (int k = wide.begin(i); k < wide.end(i); k++) {
+    const int j = wide.col()[k];
+    if (!is_surface(role[j]) || !(wide.r()[k] < REACH * d)) continue;
+    const Vector3d Nj = vector_at(N, j);
+    if (Ni.dot(Nj) > MIN_COSINE) sums.add(-separation(wide, k), Nj, REACH * d);
+  }
+  return sums;
+}
+
+/* ----------------------------------------------------------------------
+   Sources below one wall particle: along n, and where several faces meet on
+   the lattice that their normals span behind the edge. Its cells count by
+   their volume; those of the lines below one face, half of which lie behind
+   that face, by a mean.
+------------------------------------------------------------------------- */
+struct Sources {
+  Vector3d n[3] = {Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+  double slope[3] = {0.0, 0.0, 0.0};    // of the plane along each n
+  int directions = 0;
+  double cell = 1.0;
+
+  void add(const Vector3d &normal, double slope_along)
+  {
+    n[directions] = normal;
+    slope[directions++] = slope_along;
+  }
+
+  double volume(int a, int b, int c) const
+  {
+    return 1.0 - (1.0 - cell) * ((a > 0) + (b > 0) + (c > 0)) / directions;
+  }
+};
+
+Sources sources_below(const Stencil &wide, const ContactWalls &walls, const double *normal,
+                      const double *plane, int i, int k)
+{
+  Sources below;
+  const auto faces = walls.faces(i, k);
+  if (faces.size() < 2 || faces.size() > 3) {
+    const int j = wide.col()[k];
+    below.add(vector_at(normal, j), plane[2 * j + 1]);
+    return below;
+  }
+  for (const auto &face : faces) below.add(face.n, plane[2 * wide.col()[face.pair] + 1]);
+  const Vector3d across = below.n[0].cross(below.n[1]);
+  below.cell = faces.size() == 2 ? across.norm() : std::abs(across.dot(below.n[2]));
+  return below;
+}
 
 }    // namespace
 
@@ -158,21 +241,18 @@ int bind_tips(const Stencil &s, const Rows &fluid, double d, Role *role)
 }
 
 int contact_normals(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
-                    const double *cosine, double d, const ContactParams &params, double *contact)
+                    const double *cosine, double d, const ContactParams &params, double *contact,
+                    const double *shape)
 {
+  const ContactWalls walls(s, role, normal, cosine, shape, d);
   int count = 0;
   for (const int i : surface) {
     std::fill(contact + 4 * i, contact + 4 * i + 4, 0.0);
-    const int k = nearest_wall(s, i, role);
-    if (k < 0) continue;
-    const int j = s.col()[k];
-    const Vector3d n = vector_at(normal, j), N = vector_at(normal, i);
-    if (separation(s, k).dot(n) >= params.reach * d) continue;
-    const Vector3d along = N - N.dot(n) * n;
-    const double length = along.norm();
-    if (!(length > PARALLEL)) continue;
-    const double c = cosine[j], sine = std::sqrt(1.0 - c * c);
-    const Vector3d Nc = sine / length * along + c * n;
+    ContactNormal sum(vector_at(normal, i));
+    for (const ContactWall &wall : walls.nearest(i))
+      if (wall.height < params.reach * d) sum.add(wall);
+    if (!sum.found()) continue;
+    const Vector3d Nc = sum.value();
     for (int a = 0; a < 3; a++) contact[4 * i + a] = Nc[a];
     contact[4 * i + 3] = 1.0;
     count++;
@@ -181,7 +261,7 @@ int contact_normals(const Stencil &s, const Rows &surface, const Role *role, con
 }
 
 void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, const double *normal,
-                    const double *contact, double d, double *plane)
+                    const double *contact, double d, double *plane, const ContactParams &params)
 {
   for (const int j : walls) {
     plane[2 * j] = (role[j] & DRY) ? COVERED : -COVERED;
@@ -192,6 +272,7 @@ void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, co
     for (int k = wide.begin(j); k < wide.end(j); k++) {
       if (contact[4 * wide.col()[k] + 3] == 0.0) continue;
       const Vector3d r = separation(wide, k);
+      if (-r.dot(n) >= params.reach * d) continue;    // a particle on another wall
       const double along2 = (r - r.dot(n) * n).squaredNorm();
       if (pair >= 0 && along2 >= nearest2) continue;
       nearest2 = along2;
@@ -207,21 +288,28 @@ void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, co
 
 void add_continuation(const Stencil &wide, const Kernel &kernel, const Rows &surface,
                       const Role *role, const double *normal, const double *plane, double volume,
-                      double d, const ContactParams &params, double *N)
+                      double d, const ContactParams &params, double *N, const double *shape)
 {
+  const ContactWalls walls(wide, role, normal, nullptr, shape, d);
   for (const int i : surface) {
     Vector3d sum = Vector3d::Zero();
     for (int k = wide.begin(i); k < wide.end(i); k++) {
       const int j = wide.col()[k];
       if (!(role[j] & WALL)) continue;
-      const Vector3d r0 = separation(wide, k), n = vector_at(normal, j);
-      for (int m = 0; m <= params.depth; m++) {
-        const double weight = std::clamp(0.5 - (plane[2 * j] - m * plane[2 * j + 1]), 0.0, 1.0);
-        const Vector3d r = r0 + m * d * n;
-        const double distance = r.norm();
-        if (weight == 0.0 || distance == 0.0) continue;
-        sum -= volume * weight * kernel.dw(distance) / distance * r;
-      }
+      const Sources below = sources_below(wide, walls, normal, plane, i, k);
+      const int depth[3] = {params.depth, below.directions > 1 ? params.depth : 0,
+                            below.directions > 2 ? params.depth : 0};
+      for (int a = 0; a <= depth[0]; a++)
+        for (int b = 0; b <= depth[1]; b++)
+          for (int c = 0; c <= depth[2]; c++) {
+            const double fall = a * below.slope[0] + b * below.slope[1] + c * below.slope[2];
+            const double weight = std::clamp(0.5 - (plane[2 * j] - fall), 0.0, 1.0);
+            const Vector3d r = separation(wide, k) +
+                d * (a * below.n[0] + b * below.n[1] + c * below.n[2]);
+            const double distance = r.norm();
+            if (weight == 0.0 || distance == 0.0) continue;
+            sum -= volume * below.volume(a, b, c) * weight * kernel.dw(distance) / distance * r;
+          }
     }
     for (int a = 0; a < 3; a++) N[3 * i + a] += sum[a];
   }
@@ -229,27 +317,21 @@ void add_continuation(const Stencil &wide, const Kernel &kernel, const Rows &sur
 
 int contact_curvature(const Stencil &wide, const Rows &surface, const Role *role,
                       const double *normal, const double *cosine, const double *N, double d,
-                      const ContactParams &params, double *share, double *K)
+                      const ContactParams &params, double *share, double *K, const double *shape)
 {
+  const ContactWalls walls(wide, role, normal, cosine, shape, d);
   int count = 0;
   for (const int i : surface) {
-    share[i] = 0.0;
-    WallBelow wall;
-    if (!wall_below(wide, role, normal, cosine, d, i, wall)) continue;
-    if (!(wall.height < params.far * d)) continue;
-    const Vector3d Ni = vector_at(N, i);
-    ContactCurvature sums(wall, Ni, d, wide.dim());
-    sums.add(Vector3d::Zero(), Ni, REACH * d);
-    for (int k = wide.begin(i); k < wide.end(i); k++) {
-      const int j = wide.col()[k];
-      if (!is_surface(role[j]) || !(wide.r()[k] < REACH * d)) continue;
-      const Vector3d Nj = vector_at(N, j);
-      if (Ni.dot(Nj) > MIN_COSINE) sums.add(-separation(wide, k), Nj, REACH * d);
+    EdgeCurvature edge;
+    for (const ContactWall &wall : walls.mean(i)) {
+      if (!(wall.height < params.far * d)) continue;
+      const ContactCurvature sums = near_wall(wide, role, N, d, i, wall);
+      const double fade = (params.far - wall.height / d) / (params.far - params.near);
+      edge.add(sums, sums.share() * smooth_step(fade));
     }
-    const double fade = (params.far - wall.height / d) / (params.far - params.near);
-    share[i] = sums.share() * smooth_step(fade);
+    share[i] = edge.share();
     bool limited = false;
-    K[i] += share[i] * (sums.value(limited) - K[i]);
+    K[i] += share[i] * (edge.value(d, limited) - K[i]);
     count += limited && share[i] > 0.0;
   }
   return count;

@@ -41,6 +41,14 @@
    4. N of the colour gradient proper has no part into walls and is wrong on
       overhangs; near the line the N of 2. is to take its place
       (contact_surface_normals), in the pressure row and in shifting.
+   5. Where walls meet in a concave edge or corner (aleisph_contact_walls.h)
+      a surface near two of them has k and k', and K_c = k + k': N.n and N.n'
+      change with the heights over the two walls, which are coordinates
+      across the edge; its div is the sum, whatever the angle between the walls.
+      N_c has both angles. Behind a particle on the edge there is a whole
+      quadrant of sources, at x_j - d (a n + b n'), a, b = 0..depth, n and n' of the
+      faces next to it, and in a corner an octant. The normal of the edge
+      particle itself, between n and n', counts for nothing.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_CONTACT_H
@@ -51,11 +59,13 @@
 namespace aleisph {
 
 struct ContactParams {
-  double reach = 2.0;              // of contact particles, in spacings
+  double reach = 1.9;              // of contact particles, in spacings
   int depth = 4;                   // rows of sources below the wall
   double near = 1.5, far = 3.0;    // heights over which K_c fades out, in spacings
 };
 constexpr double COVERED = 1.0e3;
+
+// shape: that of walls as wall_shapes() has it, owned and ghost; null: no wall has edges
 
 // Clears BALLISTIC on those of the owned fluid rows listed that have fluid and at least dim wall
 // particles within 1.7 d; returns their number. role: owned and ghost; ghosts are then to be updated.
@@ -65,25 +75,29 @@ int bind_tips(const Stencil &s, const Rows &fluid, double d, Role *role);
 // no contact particle. cosine: cos(theta) of walls, owned and ghost. normal: walls into the fluid,
 // surface particles outward. Returns the number of contact particles.
 int contact_normals(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
-                    const double *cosine, double d, const ContactParams &params, double *contact);
+                    const double *cosine, double d, const ContactParams &params, double *contact,
+                    const double *shape = nullptr);
 
 // plane[2*j], plane[2*j+1] of the wall rows listed (owned). wide: their rows with all neighbours
-// within 4.8 d. contact: owned and ghost.
+// within 4.8 d. contact: owned and ghost; those as high as reach above the wall belong to another.
 void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, const double *normal,
-                    const double *contact, double d, double *plane);
+                    const double *contact, double d, double *plane,
+                    const ContactParams &params = ContactParams());
 
 // Adds the sources on and below the wall neighbours of the rows listed to N = -G; plane: owned
 // and ghost.
 void add_continuation(const Stencil &wide, const Kernel &kernel, const Rows &surface,
                       const Role *role, const double *normal, const double *plane, double volume,
-                      double d, const ContactParams &params, double *N);
+                      double d, const ContactParams &params, double *N,
+                      const double *shape = nullptr);
 
 // K_i becomes share_i K_c + (1 - share_i) K_i on the rows listed, |K_c| <= 1/d. N: unit vectors,
 // owned and ghost. share: 0..1, one per owned particle, written on these rows. Returns the number of
 // rows where K_c met its bound.
 int contact_curvature(const Stencil &wide, const Rows &surface, const Role *role,
                       const double *normal, const double *cosine, const double *N, double d,
-                      const ContactParams &params, double *share, double *K);
+                      const ContactParams &params, double *share, double *K,
+                      const double *shape = nullptr);
 
 // normal_i = (1 - share_i) normal_i + share_i N_i, normalised, on the rows listed
 void contact_surface_normals(const Rows &surface, const double *share, const double *N,

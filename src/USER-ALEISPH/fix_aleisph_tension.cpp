@@ -284,7 +284,7 @@ void FixAleisphTension::find_contact_lines()
   contact_.assign(4 * static_cast<std::size_t>(owner_->nall()), 0.0);
   ncontact_ = aleisph::contact_normals(disc.stencil(), rows_, owner_->role(), owner_->normal(),
                                        cosine_.data(), disc.spacing(), contact_params_,
-                                       contact_.data());
+                                       contact_.data(), owner_->wall_shape());
   if (model_ == Model::PUBLISHED) return;
   owner_->forward(contact_.data(), 4);
   plane_.assign(2 * static_cast<std::size_t>(owner_->nall()), 0.0);
@@ -310,7 +310,7 @@ void FixAleisphTension::find_normals()
     if (walls_)
       aleisph::add_continuation(wide_, kernel, rows_, owner_->role(), owner_->normal(),
                                 plane_.data(), disc.volume(), disc.spacing(), contact_params_,
-                                N_.data());
+                                N_.data(), owner_->wall_shape());
   }
   undirected_ = aleisph::normalise(rows_, N_.data());
   if (model_ == Model::PUBLISHED && walls_)    // Morikawa, Tsuji & Asai, Fig. 9
@@ -341,9 +341,9 @@ void FixAleisphTension::set_contact_angle()
 {
   auto &disc = owner_->discretization();
   share_.assign(atom->nlocal, 0.0);
-  count_.limited += aleisph::contact_curvature(wide_, rows_, owner_->role(), owner_->normal(),
-                                               cosine_.data(), N_.data(), disc.spacing(),
-                                               contact_params_, share_.data(), mean_.data());
+  count_.limited += aleisph::contact_curvature(
+      wide_, rows_, owner_->role(), owner_->normal(), cosine_.data(), N_.data(), disc.spacing(),
+      contact_params_, share_.data(), mean_.data(), owner_->wall_shape());
   aleisph::contact_surface_normals(rows_, share_.data(), N_.data(), owner_->normal());
   owner_->forward(owner_->normal(), 3);
 }

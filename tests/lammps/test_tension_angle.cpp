@@ -24,6 +24,27 @@ std::vector<double> surface_curvature(const std::string &angles, const std::stri
   return where(sim.compute("k", KAPPA), sim.compute("k", KIND), 1.0);
 }
 
+// open_tank() in 3d with n * n columns of `rows` particles. A spacing that is a power of 2: the second
+// column is at the reach of contact particles, and must be so without rounding.
+Scene shallow_tank(int n, int rows)
+{
+  Scene scene;
+  scene.dimension = 3;
+  scene.d = 0.125;
+  scene.boundary = "f f f";
+  scene.low.fill(-0.5 * scene.d);
+  scene.high = {(n + 1.5) * scene.d, (n + 1.5) * scene.d, (rows + 3.5) * scene.d};
+  for (int k = 0; k <= rows + 3; k++)
+    for (int j = 0; j <= n + 1; j++)
+      for (int i = 0; i <= n + 1; i++) {
+        const bool side = i == 0 || i == n + 1 || j == 0 || j == n + 1;
+        if (!side && k > rows) continue;
+        scene.add(side || k == 0 ? Scene::WALL : Scene::FLUID, i * scene.d, j * scene.d,
+                  k * scene.d);
+      }
+  return scene;
+}
+
 std::vector<double> left_end(std::vector<double> values)
 {
   values.resize(values.size() / 4);
@@ -53,6 +74,37 @@ TEST(ContactAngle, NeutralTankStaysAtRest)
     sim.run(script.text() + FIELDS + "run 20");
     EXPECT_LE(largest(sim.compute("k", KAPPA)), 1e-10 / D);
     EXPECT_LE(std::max(largest(sim.v(0)), largest(sim.v(dimension - 1))), 1e-10);
+  }
+}
+
+// The same in the edges and corners of a tank, shallow enough for the surface to see the floor;
+// sigma/(rho g d^2) = 1
+TEST(ContactAngle, NeutralTankWithEdgesStaysAtRest)
+{
+  const Scene scene = shallow_tank(6, 4);
+  Script script = tension_script(scene, "angle wall 90");
+  script.body = "fix g all gravity 32.0 vector 0 0 -1";
+  script.ppe = "fix ppe all aleisph/ppe tol 1e-13";
+  Simulation sim(scene);
+  sim.run(script.text() + FIELDS + "run 50");
+  EXPECT_LE(largest(sim.compute("k", KAPPA)), 1e-8 / scene.d);
+  for (int a = 0; a < 3; a++) EXPECT_LE(largest(sim.v(a)), 1e-8) << a;
+}
+
+// Fluid that wets the walls is drawn up, above all in the edges, and the four of them are alike
+TEST(ContactAngle, EdgesOfATank)
+{
+  for (const int angle : {60, 120}) {
+    const Scene scene = shallow_tank(6, 4);
+    Simulation sim(scene);
+    sim.run(tension_script(scene, fmt::format("angle wall {}", angle)).text() + FIELDS + "run 0");
+    const auto K = where(sim.compute("k", KAPPA), sim.compute("k", KIND), 1.0);
+    ASSERT_EQ(K.size(), 36u);
+    const double sign = angle < 90 ? -1.0 : 1.0;
+    for (const double value : K) EXPECT_GT(sign * value, 0.0);
+    EXPECT_GT(sign * K[0], sign * K[2]);
+    for (const int corner : {5, 30, 35}) EXPECT_NEAR(K[corner], K[0], 1e-9 / scene.d);
+    EXPECT_NEAR(K[1], K[6], 1e-9 / scene.d);
   }
 }
 

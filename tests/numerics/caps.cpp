@@ -3,6 +3,7 @@
 #include "caps.h"
 
 #include "aleisph_tension.h"
+#include "aleisph_wall_cone.h"
 
 #include <algorithm>
 #include <cmath>
@@ -249,7 +250,14 @@ void rotate(CapPoints &points, double angle)
 /* ---------------------------------------------------------------------- */
 
 Contact::Contact(int dim, const CapPoints &points, const Point &n, double theta) :
-    dim_(dim), nsurface_(static_cast<int>(points.surface.size())), n_(n),
+    Contact(dim, points, std::vector<WallSide>(points.wall.size(), {n}), theta)
+{
+}
+
+Contact::Contact(int dim, const CapPoints &points, const std::vector<WallSide> &walls,
+                 double theta) :
+    dim_(dim),
+    nsurface_(static_cast<int>(points.surface.size())),
     cloud_(together(points),
            static_cast<int>(points.surface.size() + points.inner.size() + points.wall.size()),
            4.8 * D)
@@ -261,6 +269,7 @@ Contact::Contact(int dim, const CapPoints &points, const Point &n, double theta)
   plane.assign(2 * total, 0.0);
   N = normal;
   cosine.assign(total, std::cos(theta));
+  shape.assign(total, 0.0);
   K.assign(total, 0.0);
   share = K;
   for (int i = 0; i < nsurface_; i++) {
@@ -270,7 +279,12 @@ Contact::Contact(int dim, const CapPoints &points, const Point &n, double theta)
   for (int j = fluid; j < total; j++) {
     role[j] = WALL;
     walls_.push_back(j);
-    std::copy(n.begin(), n.end(), &normal[3 * j]);
+    const WallSide &side = walls[j - fluid];
+    std::copy(side.n.begin(), side.n.end(), &normal[3 * j]);
+    shape[j] = side.shape;
+    const Eigen::Vector3d n(side.n.data());
+    if (std::find(directions_.begin(), directions_.end(), n) == directions_.end())
+      directions_.push_back(n);
   }
   mark_dry();
   const PairFilter near = {role.data(), ~0u, DRY}, wide = {role.data(), SURFACE | WALL, 0};
@@ -283,7 +297,7 @@ void Contact::mark_dry()
   for (const int j : walls_) {
     bool dry = true;
     for (const int i : cloud_.candidates(j))
-      if ((role[i] & FLUID) && distance(point(i), point(j)) < 1.2 * D) dry = false;
+      if ((role[i] & FLUID) && distance(point(i), point(j)) < 1.2 * shape[j] * D) dry = false;
     if (dry) role[j] |= DRY;
   }
 }
@@ -296,17 +310,16 @@ void Contact::set_normal(int i, const Point &n)
 int Contact::set_curvature()
 {
   return contact_curvature(wide_, rows_, role.data(), normal.data(), cosine.data(), N.data(), D,
-                           params, share.data(), K.data());
+                           params, share.data(), K.data(), shape.data());
 }
 
-// as detect_surface() does: the colour gradient of the fluid without its part into the wall
+// as detect_surface() does: the colour gradient of the fluid without its part into walls
 void Contact::outward()
 {
   wide_gradient(wide_, rows_, role.data(), 1.0, normal.data());
   for (const int i : rows_) {
-    double *v = &normal[3 * i];
-    const double into = std::min(v[0] * n_[0] + v[1] * n_[1] + v[2] * n_[2], 0.0);
-    for (int a = 0; a < 3; a++) v[a] -= into * n_[a];
+    Eigen::Map<Eigen::Vector3d> v(&normal[3 * i]);
+    v = without_parts_into_walls(v, directions_);
   }
   normalise(rows_, normal.data());
 }
@@ -317,11 +330,13 @@ void Contact::measure()
   const double volume = std::pow(D, dim_);
   const Kernel kernel = wide_kernel(dim_, D);
   std::vector<double> known(K.size()), raw(K.size());
-  contact_normals(s_, rows_, role.data(), normal.data(), cosine.data(), D, params, contact.data());
-  contact_planes(wide_, walls_, role.data(), normal.data(), contact.data(), D, plane.data());
+  contact_normals(s_, rows_, role.data(), normal.data(), cosine.data(), D, params, contact.data(),
+                  shape.data());
+  contact_planes(wide_, walls_, role.data(), normal.data(), contact.data(), D, plane.data(),
+                 params);
   wide_gradient(wide_, rows_, role.data(), volume, N.data());
   add_continuation(wide_, kernel, rows_, role.data(), normal.data(), plane.data(), volume, D,
-                   params, N.data());
+                   params, N.data(), shape.data());
   normalise(rows_, N.data());
   CurvatureCount count = tangent_curvature(s_, rows_, role.data(), N.data(), volume, raw.data(),
                                            known.data());

@@ -11,7 +11,9 @@
 #include "aleisph_contact.h"
 #include "cloud.h"
 
+#include <Eigen/Core>
 #include <cmath>
+#include <vector>
 
 namespace aleisph_test {
 
@@ -38,11 +40,19 @@ CapPoints cap_shell(const CapShape &shape);
 CapPoints full_cap(const CapShape &shape, unsigned seed);
 void rotate(CapPoints &points, double angle);    // about the z axis
 
+// Of wall particles; shape: sqrt 2 in a concave edge, sqrt 3 in a corner
+struct WallSide {
+  Point n;
+  double shape = 1.0;
+};
+
 // Fluid on a wall with normal n, whose contact angle is theta. normal, N, share, K: per particle,
 // those on the surface first, then the inner ones and the wall.
 class Contact {
  public:
   Contact(int dim, const CapPoints &points, const Point &n, double theta);
+  // walls: one per wall particle
+  Contact(int dim, const CapPoints &points, const std::vector<WallSide> &walls, double theta);
 
   // contact particles, planes, N, K as in fix aleisph/tension
   void measure();
@@ -59,17 +69,17 @@ class Contact {
 
   aleisph::ContactParams params;
   std::vector<aleisph::Role> role;
-  std::vector<double> normal, cosine, contact, plane, N, K, share;
+  std::vector<double> normal, cosine, shape, contact, plane, N, K, share;
 
  private:
   void mark_dry();
   void outward();
 
   int dim_, nsurface_;
-  Point n_;
   Cloud cloud_;
   aleisph::Stencil s_, wide_;
   aleisph::Rows rows_, walls_;
+  std::vector<Eigen::Vector3d> directions_;    // of the walls, each once
 };
 
 }    // namespace aleisph_test

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    Contact angles: identities of the curvature near the line on exact arcs and
-   spheres; the parts of the continuation; and the angle at which drops made of
-   particles are in equilibrium.
+   spheres; the parts of the continuation; concave edges; and the angle at which drops
+   made of particles are in equilibrium.
 ------------------------------------------------------------------------- */
 
 #include "aleisph_tension.h"
@@ -285,6 +285,170 @@ TEST(ContinuationTest, RightAngleCompletesAHalfSpace)
   for (const int i : c.rows()) {
     EXPECT_NEAR(c.N[3 * i], 1.0, ROUNDING) << i;
     EXPECT_NEAR(c.N[3 * i + 1], 0.0, ROUNDING) << i;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   Concave edges: the walls y = 0 and x = const meet along z, the whole in any direction
+------------------------------------------------------------------------- */
+
+namespace {
+
+// A point of a scene in other directions
+struct Frame {
+  double about_z = 0.0, about_x = 0.0;
+
+  Point operator()(const Point &p) const
+  {
+    const double c = std::cos(about_z), s = std::sin(about_z);
+    const double C = std::cos(about_x), S = std::sin(about_x);
+    const double x = c * p[0] - s * p[1], y = s * p[0] + c * p[1];
+    return {x, C * y - S * p[2], S * y + C * p[2]};
+  }
+};
+
+const Frame FRAMES[] = {{0.0, 0.0}, {0.7, 0.4}, {2.5, -1.1}};
+
+Contact in_frame(CapPoints points, std::vector<WallSide> walls, double theta, const Frame &frame)
+{
+  for (Points *list : {&points.surface, &points.inner, &points.wall})
+    for (Point &p : *list) p = frame(p);
+  for (WallSide &side : walls) side.n = frame(side.n);
+  return Contact(3, points, walls, theta * DEGREE);
+}
+
+// of a wall particle at numbers i of x, j of y and k of z, zero on these walls; floor: at z = 0, too
+WallSide side_of(int i, int j, int k, bool floor)
+{
+  const double x = i == 0, y = j == 0, z = floor && k == 0, length = std::sqrt(x + y + z);
+  return {{x / length, y / length, z / length}, length};
+}
+
+// Fluid up to the height `rows`, flat, in the corner of a tank, 17 spacings wide: the end is seen
+// from 4.8 spacings, and N_c there is seen by the walls and from the walls from 4.8 more, so that N
+// within 7 spacings of the edge knows nothing of it. Without floor: 6 deep
+constexpr int WIDTH = 17;
+Contact tank_corner(int rows, bool floor, double theta, const Frame &frame)
+{
+  CapPoints points;
+  std::vector<WallSide> walls;
+  const int lowest = floor ? 0 : rows - 5;
+  for (int k = lowest; k <= rows + 4; k++)
+    for (int j = 0; j <= WIDTH; j++)
+      for (int i = 0; i <= WIDTH; i++) {
+        const Point p = {i * D, j * D, k * D};
+        if (i == 0 || j == 0 || (floor && k == 0)) {
+          points.wall.push_back(p);
+          walls.push_back(side_of(i, j, k, floor));
+        } else if (k <= rows)
+          (k == rows ? points.surface : points.inner).push_back(p);
+      }
+  Contact contact = in_frame(points, walls, theta, frame);
+  contact.params.reach = 1.9;    // not up to rounding that of the second row
+  return contact;
+}
+
+// A sphere that meets the walls y = 0 and x = R cos(theta) at theta, with its exact normals
+Contact sphere_in_edge(double theta, const Frame &frame)
+{
+  const CapShape shape = CapShape::of_volume(3, size_of(3), theta * DEGREE);
+  const double a = -shape.height(), R = shape.radius - 0.5 * D;
+  CapPoints points = cap_shell(shape);
+  points.surface = keep(points.surface, [a](const Point &p) { return p[0] > a + 0.7 * D; });
+  points.wall.clear();
+  std::vector<WallSide> walls;
+  const int n = static_cast<int>(2.0 * shape.radius / D) + 4;
+  for (int k = -n; k <= n; k++)
+    for (int m = -n; m <= n; m++) {
+      const int i = std::max(m, 0), j = std::max(-m, 0);
+      points.wall.push_back({a + i * D, j * D, k * D});
+      walls.push_back(side_of(j ? 0 : i, j, k, false));
+    }
+  Contact contact = in_frame(points, walls, theta, frame);
+  const Point centre = frame({0.0, shape.height(), 0.0});
+  for (const int i : contact.rows()) {
+    const Point &x = contact.point(i);
+    contact.set_normal(i, {(x[0] - centre[0]) / R, (x[1] - centre[1]) / R, (x[2] - centre[2]) / R});
+  }
+  return contact;
+}
+
+}    // namespace
+
+// At 90 degrees fluid and sources make up an infinite lattice below the surface, also behind edges
+// and, in shallow fluid, behind the corner: N is exactly upwards, K zero. K of a particle takes N
+// from up to 4.8 D away: right within 2 D of the edge.
+TEST(ContactEdgeTest, RightAngleIsFlat)
+{
+  for (const Frame &frame : FRAMES)
+    for (const bool floor : {false, true}) {
+      Contact c = tank_corner(3, floor, 90.0, frame);
+      c.measure();
+      const Point up = frame({0.0, 0.0, 1.0});
+      SCOPED_TRACE(floor ? "floor" : "no floor");
+      SCOPED_TRACE(frame.about_z);
+      int near = 0;
+      for (const int i : c.rows()) {
+        const int x = i % WIDTH + 1, y = i / WIDTH + 1;    // their order in tank_corner()
+        if (x > 7 || y > 7) continue;
+        for (int a = 0; a < 3; a++) EXPECT_NEAR(c.N[3 * i + a], up[a], ROUNDING) << x << " " << y;
+        if (x > 2 || y > 2) continue;
+        EXPECT_NEAR(c.K[i] * D, 0.0, 10.0 * ROUNDING) << x << " " << y;
+        EXPECT_EQ(c.share[i] > 0.0, true);
+        near++;
+      }
+      EXPECT_EQ(near, 4);
+    }
+}
+
+// N.n changes by 1/R per height over each wall, along the edge by as much: next to one wall and
+// next to both of them div N is 2/R.
+TEST(ContactEdgeTest, CurvatureIsExactOnSpheres)
+{
+  for (const int theta : {60, 75, 90, 105, 120})
+    for (const Frame &frame : FRAMES) {
+      Contact c = sphere_in_edge(theta, frame);
+      EXPECT_EQ(c.set_curvature(), 0);
+      const double K = exact_curvature(3, theta);
+      int full = 0;
+      for (const int i : c.rows()) {
+        EXPECT_NEAR(c.K[i], c.share[i] * K, ROUNDING / D) << theta;
+        full += c.share[i] == 1.0;
+      }
+      EXPECT_GE(full, 10) << theta;
+    }
+}
+
+// The particle in the edge has the angle to both walls: N_c = (c, c, sqrt(1 - 2 c^2)). Below 45
+// degrees there is none, and N_c has no part along the edge; at 135 and more likewise.
+TEST(ContactEdgeTest, NormalHasBothAngles)
+{
+  for (const Frame &frame : FRAMES)
+    for (const double theta : {30.0, 60.0, 90.0, 120.0, 150.0}) {
+      Contact c = tank_corner(3, false, theta, frame);
+      c.measure();
+      ASSERT_EQ(c.contact[3], 1.0);
+      const double cosine = std::cos(theta * DEGREE), rest = 1.0 - 2.0 * cosine * cosine;
+      const double across = rest > 0.0 ? cosine : std::copysign(std::sqrt(0.5), cosine);
+      const Point Nc = frame({across, across, std::sqrt(std::max(rest, 0.0))});
+      for (int a = 0; a < 3; a++) EXPECT_NEAR(c.contact[a], Nc[a], ROUNDING) << theta;
+    }
+}
+
+// The flat surface of fluid that wets both walls rises in the edge, the more so the better it
+// wets; neither wall comes first. K in the edge is larger than half way along a wall.
+TEST(ContactEdgeTest, DrivesTheLine)
+{
+  double before = 0.0;
+  for (const double theta : {80.0, 70.0, 60.0, 50.0}) {
+    Contact wet = tank_corner(3, false, theta, {}), dry = tank_corner(3, false, 180.0 - theta, {});
+    wet.measure();
+    dry.measure();
+    EXPECT_LT(wet.K[0], before);
+    EXPECT_GT(dry.K[0], 0.0);
+    EXPECT_LT(wet.K[0], wet.K[5]) << theta;
+    EXPECT_NEAR(wet.K[1], wet.K[WIDTH], 10.0 * ROUNDING / D);    // (2, 1) and (1, 2)
+    before = wet.K[0];
   }
 }
 

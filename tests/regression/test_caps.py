@@ -170,6 +170,22 @@ class Hanging(unittest.TestCase):
             self.assertEqual(caps.verdict(self.rows(depth, speed), 1.0, self.options(), length)[0],
                              word)
 
+    def test_apex(self):
+        """Exact on a paraboloid about another point; one of 25 particles 0.6 d out of place changes
+        it by less than 0.1 d."""
+        d, rows = 2e-4, [{"surface": 0, "x": 0.0, "y": 0.0, "z": 0.0} for _ in range(40)]
+        for i in range(-4, 5):
+            for j in range(-4, 5):
+                x, y = i * d, j * d
+                z = -4e-3 + 100.0 * ((x - 0.3 * d)**2 + y * y)
+                rows.append({"surface": 1, "x": x, "y": y, "z": z + 0.5 * d})
+        exact = 4e-3 - 100.0 * (0.3 * d)**2
+        self.assertAlmostEqual(caps.apex_depth(rows, d, (0.0, 0.0)), exact, delta=1e-12)
+        for row in rows:
+            if row["surface"] and row["x"] == row["y"] == 0.0:
+                row["z"] -= 0.6 * d
+        self.assertAlmostEqual(caps.apex_depth(rows, d, (0.0, 0.0)), exact, delta=0.1 * d)
+
     def test_line_through_the_surface(self):
         """A cone of 60 deg at the ceiling."""
         d, rows = 2e-4, []

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   The walls that a contact line near particle i can meet. One, as a rule: the
+   nearest, or a mean of what is near, so that it changes smoothly along
+   a curved wall and around a convex edge. Where walls meet in a concave edge or
+   corner there are several, and the normals of the particles on the edge, which
+   lie between those of the faces, belong to none of them.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_CONTACT_WALLS_H
+#define LMP_ALEISPH_CONTACT_WALLS_H
+
+#include "aleisph_roles.h"
+#include "aleisph_stencil.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace aleisph {
+
+struct ContactWall {
+  Eigen::Vector3d n = Eigen::Vector3d::Zero();
+  double height = 0.0;    // of i above it [length]
+  double cosine = 0.0;
+};
+
+// All by what row i of the stencil sees; fields valid on owned and ghost particles. shape: as
+// wall_shapes() has it; null: there are no edges.
+class ContactWalls {
+ public:
+  // A face of the wall next to an edge particle
+  struct Face {
+    Eigen::Vector3d n;
+    int pair;           // of i with the particle on it that is nearest to the edge particle
+    double distance;    // between these two
+  };
+
+  ContactWalls(const Stencil &s, const Role *role, const double *normal, const double *cosine,
+               const double *shape, double d) :
+      s_(s),
+      role_(role), normal_(normal), cosine_(cosine), shape_(shape), d_(d)
+  {
+  }
+
+  // by the lowest height first
+  std::vector<ContactWall> nearest(int i) const { return walls(i, 0.0); }
+  // means over the wall particles that are less than d farther than the nearest
+  std::vector<ContactWall> mean(int i) const { return walls(i, d_); }
+
+  // those that meet at the wall particle of pair k of i; none if that is not on a concave edge
+  std::vector<Face> faces(int i, int k) const;
+
+ private:
+  std::vector<ContactWall> walls(int i, double depth) const;
+  std::vector<Eigen::Vector3d> face_normals(int i) const;
+  bool wall(int i, double depth, const Eigen::Vector3d *face, ContactWall &found) const;
+  int nearest_pair(int i, const Eigen::Vector3d *face) const;
+  bool belongs(int k, const Eigen::Vector3d *face) const;
+  bool is_edge(int k) const;
+  Eigen::Vector3d normal_at(int k) const;
+  Eigen::Vector3d separation(int k) const;    // x_i - x_j of pair k
+
+  const Stencil &s_;
+  const Role *role_;
+  const double *normal_, *cosine_, *shape_;
+  double d_;
+};
+
+}    // namespace aleisph
+#endif
