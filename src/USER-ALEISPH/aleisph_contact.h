@@ -68,7 +68,7 @@ constexpr double COVERED = 1.0e3;
 // shape: that of walls as wall_shapes() has it, owned and ghost; null: no wall has edges
 
 // Clears BALLISTIC on those of the owned fluid rows listed that have fluid and at least dim wall
-// particles within 1.7 d; returns their number. role: owned and ghost; ghosts are then to be updated.
+// particles within 1.7 d; returns their number. role: owned and ghost; the caller updates ghosts.
 int bind_tips(const Stencil &s, const Rows &fluid, double d, Role *role);
 
 // contact[4*i..4*i+2] = N_c of owned surface particle i, contact[4*i+3] = 1; all zero if it is
@@ -92,8 +92,8 @@ void add_continuation(const Stencil &wide, const Kernel &kernel, const Rows &sur
                       const double *shape = nullptr);
 
 // K_i becomes share_i K_c + (1 - share_i) K_i on the rows listed, |K_c| <= 1/d. N: unit vectors,
-// owned and ghost. share: 0..1, one per owned particle, written on these rows. Returns the number of
-// rows where K_c met its bound.
+// owned and ghost. share: 0..1, one per owned particle, written on these rows. Returns the number
+// of rows where K_c met its bound.
 int contact_curvature(const Stencil &wide, const Rows &surface, const Role *role,
                       const double *normal, const double *cosine, const double *N, double d,
                       const ContactParams &params, double *share, double *K,

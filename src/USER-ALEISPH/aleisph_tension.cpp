@@ -28,7 +28,7 @@ constexpr double MIN_COSINE = 0.3;
 // The second bracket along a direction t of the tangent plane, -sum V dW/dr (r_ij.t)^2/r_ij, has no
 // unit. With the cubic spline and h = 1.2 d it is 0.58 on a straight line (2d) and on a flat square
 // layer of particles (3d); 0.25 and 0.14 for a single neighbour at d, 0.044 and 0.026 at 2 d. It
-// falls to 0.02 at 2.1 d, so below there is nothing in that direction but on the brim of the support.
+// falls to 0.02 at 2.1 d, so below there is nothing in that direction but on the brim.
 constexpr double MIN_BRACKET = 0.02;
 
 constexpr int FEW = 3;

@@ -448,8 +448,9 @@ void FixAleisphTension::check_time_step() const
                    dt, limit, safe);
 }
 
-// mean and largest |K| on the surface, particles that feel tension, contact particles, and those
-// with too few neighbours, without their own curvature, with limited curvature, without normal; particles held above walls
+// mean K and largest |K| on the surface; particles that feel tension, contact particles, and those
+// with too few neighbours, without their own curvature, with limited curvature, without normal;
+// particles held above walls
 double FixAleisphTension::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");

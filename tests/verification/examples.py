@@ -11,9 +11,15 @@ from result_table import read_results
 TOP = Path(os.environ["ALEISPH_SOURCE_DIR"])
 
 
+def words_of(value):
+    """The words of an index variable: a string is split, the words of a list are kept whole."""
+    return list(value) if isinstance(value, list) else str(value).split()
+
+
 def rows(example, **variables):
     """Its result lines."""
-    name = "-".join([example] + [f"{k}{v}" for k, v in variables.items()]).replace(" ", "_")
+    name = "-".join([example] + [k + "_".join(words_of(v)) for k, v in variables.items()])
+    name = name.replace(" ", "_")
     folder = Path(name)
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(TOP / "examples" / example, folder,
@@ -21,7 +27,7 @@ def rows(example, **variables):
     words = [os.environ["ALEISPH_LMP"], "-in", f"in.{example}", "-log", "log.lammps", "-nocite",
              "-var", "here", str(TOP / "examples" / example)]
     for key, value in variables.items():
-        words += ["-var", key] + str(value).split()
+        words += ["-var", key] + words_of(value)
     done = subprocess.run(words, cwd=folder, text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode:

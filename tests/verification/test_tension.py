@@ -43,7 +43,7 @@ class Oscillation(unittest.TestCase):
 
     def test_viscous_normal_stress(self):
         """Without it, half of the energy loss of a potential flow n = 2 is missing."""
-        run = last("capillary", shape="ellipse", res=10, Oh=0.02, tension="viscous no")
+        run = last("capillary", shape="ellipse", res=10, Oh=0.02, tension=["viscous no"])
         self.assertLess(number(run["damping"]), 0.75 * number(run["damping"], "reference"))
 
 
