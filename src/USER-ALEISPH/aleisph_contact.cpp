@@ -2,6 +2,8 @@
 
 #include "aleisph_contact.h"
 #include "aleisph_contact_walls.h"
+#include "aleisph_tension.h"
+#include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -12,26 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double REACH = 4.8;         // of the fit of K_c, in spacings: all of the wide stencil
-constexpr double PARALLEL = 0.25;     // sin of 14.5 degrees between N and n
-constexpr double TIP_REACH = 1.7;     // in spacings: nearest neighbours
-constexpr double MIN_COSINE = 0.3;    // normals further apart belong to different surfaces
-
-Vector3d vector_at(const double *field, int i)
-{
-  return {field[3 * i], field[3 * i + 1], field[3 * i + 2]};
-}
-
-// x_i - x_j of pair k
-Vector3d separation(const Stencil &s, int k)
-{
-  return s.r()[k] * Vector3d(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
-}
-
-inline bool is_surface(Role role)
-{
-  return (role & FLUID) && (role & SURFACE) && !(role & BALLISTIC);
-}
+constexpr double REACH = 4.8;        // of the fit of K_c, in spacings: all of the wide stencil
+constexpr double PARALLEL = 0.25;    // sin of 14.5 degrees between N and n
+constexpr double TIP_REACH = 1.7;    // in spacings: nearest neighbours
 
 // from 0 at x <= 0 to 1 at x >= 1
 double smooth_step(double x)
@@ -168,14 +153,14 @@ class EdgeCurvature {
 ContactCurvature near_wall(const Stencil &wide, const Role *role, const double *N, double d, int i,
                            const ContactWall &wall)
 {
-  const Vector3d Ni = vector_at(N, i);
+  const Vector3d Ni = at(N, i);
   ContactCurvature sums(wall, Ni, d, wide.dim());
   sums.add(Vector3d::Zero(), Ni, REACH * d);
   for (int k = wide.begin(i); k < wide.end(i); k++) {
     const int j = wide.col()[k];
-    if (!is_surface(role[j]) || !(wide.r()[k] < REACH * d)) continue;
-    const Vector3d Nj = vector_at(N, j);
-    if (Ni.dot(Nj) > MIN_COSINE) sums.add(-separation(wide, k), Nj, REACH * d);
+    if (!bound_surface(role[j]) || !(wide.r()[k] < REACH * d)) continue;
+    const Vector3d Nj = at(N, j);
+    if (Ni.dot(Nj) > SAME_SURFACE) sums.add(-separation(wide, k), Nj, REACH * d);
   }
   return sums;
 }
@@ -211,7 +196,7 @@ Sources sources_below(const Stencil &wide, const ContactWalls &walls, const doub
   const auto faces = walls.faces(i, k);
   if (faces.size() < 2 || faces.size() > 3) {
     const int j = wide.col()[k];
-    below.add(vector_at(normal, j), plane[2 * j + 1]);
+    below.add(at(normal, j), plane[2 * j + 1]);
     return below;
   }
   for (const auto &face : faces) below.add(face.n, plane[2 * wide.col()[face.pair] + 1]);
@@ -248,7 +233,7 @@ int contact_normals(const Stencil &s, const Rows &surface, const Role *role, con
   int count = 0;
   for (const int i : surface) {
     std::fill(contact + 4 * i, contact + 4 * i + 4, 0.0);
-    ContactNormal sum(vector_at(normal, i));
+    ContactNormal sum(at(normal, i));
     for (const ContactWall &wall : walls.nearest(i))
       if (wall.height < params.reach * d) sum.add(wall);
     if (!sum.found()) continue;
@@ -266,7 +251,7 @@ void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, co
   for (const int j : walls) {
     plane[2 * j] = (role[j] & DRY) ? COVERED : -COVERED;
     plane[2 * j + 1] = 0.0;
-    const Vector3d n = vector_at(normal, j);
+    const Vector3d n = at(normal, j);
     double nearest2 = 0.0;
     int pair = -1;
     for (int k = wide.begin(j); k < wide.end(j); k++) {
@@ -341,7 +326,7 @@ void contact_surface_normals(const Rows &surface, const double *share, const dou
                              double *normal)
 {
   for (const int i : surface) {
-    const Vector3d mean = (1.0 - share[i]) * vector_at(normal, i) + share[i] * vector_at(N, i);
+    const Vector3d mean = (1.0 - share[i]) * at(normal, i) + share[i] * at(N, i);
     const double length = mean.norm();
     if (share[i] > 0.0 && length > 0.0)
       for (int a = 0; a < 3; a++) normal[3 * i + a] = mean[a] / length;

@@ -2,6 +2,8 @@
 
 #include "aleisph_contact_walls.h"
 
+#include "aleisph_vectors.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 
@@ -26,14 +28,9 @@ bool is_new(const std::vector<Vector3d> &normals, const Vector3d &n)
 
 }    // namespace
 
-Vector3d ContactWalls::separation(int k) const
-{
-  return s_.r()[k] * Vector3d(s_.e(0)[k], s_.e(1)[k], s_.dim() == 3 ? s_.e(2)[k] : 0.0);
-}
-
 Vector3d ContactWalls::normal_at(int k) const
 {
-  return Eigen::Map<const Vector3d>(normal_ + 3 * s_.col()[k]);
+  return at(normal_, s_.col()[k]);
 }
 
 bool ContactWalls::is_edge(int k) const
@@ -63,7 +60,7 @@ std::vector<ContactWalls::Face> ContactWalls::faces(int i, int k) const
   if (!is_edge(k)) return found;
   for (int m = s_.begin(i); m < s_.end(i); m++) {
     if (!(role_[s_.col()[m]] & WALL) || is_edge(m)) continue;
-    const Vector3d r = separation(m) - separation(k), n = normal_at(m);
+    const Vector3d r = separation(s_, m) - separation(s_, k), n = normal_at(m);
     const Face face = {n, m, r.norm()};
     if (face.distance >= NEXT * d_ || std::abs(r.dot(n)) >= IN_PLANE * d_) continue;
     const auto known = std::find_if(found.begin(), found.end(),
@@ -104,7 +101,7 @@ bool ContactWalls::wall(int i, double depth, const Vector3d *face, ContactWall &
   if (nearest < 0) return false;
   if (depth == 0.0) {
     found.n = normal_at(nearest);
-    found.height = separation(nearest).dot(found.n);
+    found.height = separation(s_, nearest).dot(found.n);
     found.cosine = cosine_[s_.col()[nearest]];
     return true;
   }
@@ -115,7 +112,7 @@ bool ContactWalls::wall(int i, double depth, const Vector3d *face, ContactWall &
     const double w = (1.0 - beyond) * (1.0 - beyond);
     const Vector3d n = normal_at(k);
     found.n += w * n;
-    found.height += w * separation(k).dot(n);
+    found.height += w * separation(s_, k).dot(n);
     found.cosine += w * cosine_[s_.col()[k]];
     weights += w;
   }

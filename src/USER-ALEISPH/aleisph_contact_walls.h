@@ -58,7 +58,6 @@ class ContactWalls {
   bool belongs(int k, const Eigen::Vector3d *face) const;
   bool is_edge(int k) const;
   Eigen::Vector3d normal_at(int k) const;
-  Eigen::Vector3d separation(int k) const;    // x_i - x_j of pair k
 
   const Stencil &s_;
   const Role *role_;

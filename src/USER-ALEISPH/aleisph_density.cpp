@@ -25,14 +25,14 @@ double sum_near(const Stencil &s, const Kernel &kernel, int i, double reach)
   return sum;
 }
 
+}    // namespace
+
 bool sees_wall(const Stencil &s, const Role *role, int i)
 {
   for (int k = s.begin(i); k < s.end(i); k++)
     if (role[s.col()[k]] & WALL) return true;
   return false;
 }
-
-}    // namespace
 
 double nearest_reach(int dim, double d)
 {

@@ -9,6 +9,7 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_guards.h"
+#include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -32,21 +33,9 @@ constexpr double OTHER_SIDE = -0.5;      // so far behind a wall is not held
 constexpr int MAX_PASSES = 20;           // over the walls that hold a particle
 constexpr double TOLERANCE = 1.0e-12;    // of a distance, in spacings
 
-inline Vec3 at(const double *v, int j)
-{
-  return Vec3(v[3 * j], v[3 * j + 1], v[3 * j + 2]);
-}
-
 inline void store(const Vec3 &value, double *v, int i)
 {
   for (int a = 0; a < 3; a++) v[3 * i + a] = value[a];
-}
-
-inline Vec3 direction(const Stencil &s, int k)
-{
-  Vec3 e = Vec3::Zero();
-  for (int a = 0; a < s.dim(); a++) e[a] = s.e(a)[k];
-  return e;
 }
 
 // v_ij.e_ij where pair k collides, else 0

@@ -6,6 +6,7 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_guards.h"
+#include "aleisph_vectors.h"
 #include "aleisph_wall_cone.h"
 
 #include <Eigen/Dense>
@@ -17,18 +18,6 @@ namespace aleisph {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
-
-inline Vec3 at(const double *v, int j)
-{
-  return Vec3(v[3 * j], v[3 * j + 1], v[3 * j + 2]);
-}
-
-inline Vec3 direction(const Stencil &s, int k)
-{
-  Vec3 e = Vec3::Zero();
-  for (int a = 0; a < s.dim(); a++) e[a] = s.e(a)[k];
-  return e;
-}
 
 inline Vec3 weight(const GradientWeights &g, int dim, int k)
 {

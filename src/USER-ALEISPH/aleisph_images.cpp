@@ -2,14 +2,8 @@
 
 #include "aleisph_images.h"
 
+#include "aleisph_vectors.h"
 namespace aleisph {
-
-Eigen::Vector3d Images::r_ij(int k) const
-{
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();
-  for (int a = 0; a < s_.dim(); a++) r[a] = s_.r()[k] * s_.e(a)[k];
-  return r;
-}
 
 bool Images::taken(int i, int k, Role kind, const Eigen::Vector3d &r) const
 {
@@ -18,7 +12,8 @@ bool Images::taken(int i, int k, Role kind, const Eigen::Vector3d &r) const
   for (const Eigen::Vector3d &other : found_)
     if ((r - other).squaredNorm() < same2) return true;
   for (int m = s_.begin(i); m < s_.end(i); m++)
-    if (m != k && (role_[s_.col()[m]] & kind) && (r - r_ij(m)).squaredNorm() < near2) return true;
+    if (m != k && (role_[s_.col()[m]] & kind) && (r - separation(s_, m)).squaredNorm() < near2)
+      return true;
   return false;
 }
 
@@ -27,7 +22,7 @@ void Images::add(int i, int k, Role kind, double side)
 {
   const Eigen::Map<const Eigen::Vector3d> n(normal_ + 3 * s_.col()[k]);
   if (n.isZero(0.0)) return;    // no direction is known
-  const Eigen::Vector3d r = r_ij(k) - side * d_ * n;
+  const Eigen::Vector3d r = separation(s_, k) - side * d_ * n;
   if (r.squaredNorm() < support_ * support_ && !taken(i, k, kind, r)) found_.push_back(r);
 }
 

@@ -49,7 +49,6 @@ class Images {
  private:
   void add(int i, int k, Role kind, double side);
   bool taken(int i, int k, Role kind, const Eigen::Vector3d &r) const;
-  Eigen::Vector3d r_ij(int k) const;
 
   const Stencil &s_;
   const Role *role_;

@@ -23,5 +23,17 @@ constexpr Role SURFACE = 64;       // with FLUID: on the free surface
 constexpr Role BALLISTIC = 128;    // with FLUID and SURFACE: too few neighbours, flies freely
 constexpr Role DRY = 256;          // with WALL: far from all fluid, in nobody's stencil
 
+// takes part in the motion: neither a wall nor a buffer, and not flying freely
+inline bool bound_fluid(Role r)
+{
+  return (r & FLUID) && !(r & (WALL | BUFFER | BALLISTIC));
+}
+
+// a fluid particle on a surface that holds together
+inline bool bound_surface(Role r)
+{
+  return (r & FLUID) && (r & SURFACE) && !(r & BALLISTIC);
+}
+
 }    // namespace aleisph
 #endif

@@ -5,11 +5,6 @@
 namespace aleisph {
 namespace {
 
-inline bool bound_fluid(Role r)
-{
-  return (r & FLUID) && !(r & (WALL | BUFFER | BALLISTIC));
-}
-
 // adds w (v_j - v_i - (grad v)_i.r_ji), pair k of row i
 void add_pair(const Stencil &s, int i, int k, double w, const double *v, const double *grad_v,
               double *out)

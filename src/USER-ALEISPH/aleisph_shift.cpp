@@ -9,6 +9,7 @@
 
 #include "aleisph_images.h"
 #include "aleisph_surface_shape.h"
+#include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -23,30 +24,14 @@ constexpr double ALIGNED = 0.9;    // cosine between normals of neighbours on on
 // a particle lies above a wall particle if it is off its normal by fewer spacings than this
 constexpr double ABOVE = 0.8;
 
-inline Vec at(const double *field, int i)
-{
-  return Vec(field[3 * i], field[3 * i + 1], field[3 * i + 2]);
-}
-
 inline void put(const Vec &v, double *field, int i)
 {
   for (int a = 0; a < 3; a++) field[3 * i + a] = v[a];
 }
 
-inline Vec direction(const Stencil &s, int k)
-{
-  return Vec(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
-}
-
 inline Vec tangential(const Vec &v, const Vec &n)
 {
   return v - v.dot(n) * n;
-}
-
-// takes part in the motion: neither a wall nor a buffer, and not flying freely
-inline bool bound_fluid(Role r)
-{
-  return (r & FLUID) && !(r & (WALL | BUFFER | BALLISTIC));
 }
 
 struct Scene {
@@ -74,7 +59,8 @@ class DensityShift {
   {
     const Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
     if (c_.params.published || !c_.on_surface(i)) return dr;
-    const double corner = sees_wall(i) ? 0.0 : shape_.corner(shape_.asymmetry(c_.s, i));
+    const double corner = sees_wall(c_.s, c_.role, i) ? 0.0
+                                                      : shape_.corner(shape_.asymmetry(c_.s, i));
     return (1.0 - corner) * (dr + smooth(i));
   }
 
@@ -102,13 +88,6 @@ class DensityShift {
     }
     if (c_.on_surface(i)) even = tangential(even, at(c_.normal, i));
     return even + density;
-  }
-
-  bool sees_wall(int i) const
-  {
-    for (int k = c_.s.begin(i); k < c_.s.end(i); k++)
-      if (c_.role[c_.s.col()[k]] & WALL) return true;
-    return false;
   }
 
   // b_i N_i: towards the mean height of the surface neighbours

@@ -74,6 +74,9 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach);
 // |r_ij| < this: the nearest neighbours S*
 double nearest_reach(int dim, double d);
 
+// whether a wall particle is a neighbour of owned particle i
+bool sees_wall(const Stencil &s, const Role *role, int i);
+
 // eps_i of the owned fluid rows listed; eps of other particles is not written. role, normal: owned
 // and ghost. curvature: K of owned particles on the surface if it is known (with surface tension);
 // without it the shift shrinks a ball of radius R = 6 d by 2 % of its volume.

@@ -2,6 +2,7 @@
 
 #include "aleisph_surface_hold.h"
 
+#include "aleisph_vectors.h"
 #include "aleisph_wall_cone.h"
 
 #include <Eigen/Dense>
@@ -13,16 +14,6 @@ using Vec = Eigen::Vector3d;
 constexpr double ABOVE =
     0.8;    // a particle is above a wall particle if it is off its normal by less
 
-inline Vec at(const double *field, int i)
-{
-  return Vec(field[3 * i], field[3 * i + 1], field[3 * i + 2]);
-}
-
-inline Vec r_ij(const Stencil &s, int k)
-{
-  return s.r()[k] * Vec(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
-}
-
 // normals of the walls that particle i is close to; nearest: the closest of their particles, or -1
 void walls_below(const Stencil &s, const Role *role, const double *normal, int i, double reach,
                  double d, std::vector<Vec> &walls, int &nearest)
@@ -33,7 +24,7 @@ void walls_below(const Stencil &s, const Role *role, const double *normal, int i
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
     if (!(role[j] & WALL)) continue;
-    const Vec n = at(normal, j), r = r_ij(s, k);
+    const Vec n = at(normal, j), r = separation(s, k);
     const double height = n.dot(r);
     if (height >= reach || height < -0.5 * d || (r - height * n).norm() > ABOVE * d) continue;
     walls.push_back(n);

@@ -8,8 +8,8 @@
    0.8 d), the velocity relative to the nearest of these is replaced by the
    nearest vector with v.n >= 0 for all their normals.
 
-   v: owned and ghost, the velocity of a wall particle is that of the wall;
-   changed on the owned rows listed. Returns the number of particles changed.
+   v: of walls owned and ghost, the velocity of a wall particle is that of the
+   wall; changed on the owned rows listed. Returns the number of particles changed.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_SURFACE_HOLD_H

@@ -7,6 +7,7 @@
 
 #include "aleisph_tension.h"
 
+#include "aleisph_vectors.h"
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,6 @@ using Mat3 = Eigen::Matrix3d;
 // A sum shorter than this part of the sum of the moduli of its terms has no direction.
 constexpr double NO_DIRECTION = 1.0e-6;
 
-// Normals further apart (73 degrees) belong to different surfaces: the other side of a film, the
-// other flank of a cusp. It must let pass 45 degrees, the turn between the rim and the edge of a
-// cube.
-constexpr double MIN_COSINE = 0.3;
-
 // The second bracket along a direction t of the tangent plane, -sum V dW/dr (r_ij.t)^2/r_ij, has no
 // unit. With the cubic spline and h = 1.2 d it is 0.58 on a straight line (2d) and on a flat square
 // layer of particles (3d); 0.25 and 0.14 for a single neighbour at d, 0.044 and 0.026 at 2 d. It
@@ -34,24 +30,9 @@ constexpr double MIN_BRACKET = 0.02;
 constexpr int FEW = 3;
 constexpr double MEAN_REACH = 2.4;    // of the averaging, in spacings
 
-inline bool is_surface(Role role)
-{
-  return (role & FLUID) && (role & SURFACE) && !(role & BALLISTIC);
-}
-
 inline bool is_fluid(Role role)
 {
   return (role & FLUID) && !(role & WALL);
-}
-
-inline Vec3 vec(const double *v, int i)
-{
-  return Eigen::Map<const Vec3>(v + 3 * i);
-}
-
-inline Vec3 pair_vector(const Stencil &s, int k)
-{
-  return Vec3(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
 }
 
 bool few_neighbours(const Stencil &s, const Role *role, int i)
@@ -115,14 +96,14 @@ class Brackets {
 
 bool local_shape(const Stencil &s, const Role *role, const double *N, double volume, int i, Mat3 &A)
 {
-  const Vec3 Ni = vec(N, i);
+  const Vec3 Ni = at(N, i);
   if (Ni.isZero(0.0)) return false;
   Brackets brackets(Ni, s.dim());
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    if (!is_surface(role[j])) continue;
-    const Vec3 Nj = vec(N, j), e = pair_vector(s, k);
-    if (Ni.dot(Nj) > MIN_COSINE) brackets.add(s.r()[k] * e, volume * s.dw()[k] * e, Nj);
+    if (!bound_surface(role[j])) continue;
+    const Vec3 Nj = at(N, j), e = direction(s, k);
+    if (Ni.dot(Nj) > SAME_SURFACE) brackets.add(s.r()[k] * e, volume * s.dw()[k] * e, Nj);
   }
   return brackets.shape(A);
 }
@@ -159,13 +140,13 @@ struct Mean {
 Mean local_mean(const Stencil &s, const Role *role, const double *N, const double *K,
                 const double *known, double reach, int i)
 {
-  const Vec3 Ni = vec(N, i);
+  const Vec3 Ni = at(N, i);
   Mean mean;
   if (known[i] > 0.0) mean.add(1.0, K[i]);
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    if (s.r()[k] >= reach || !is_surface(role[j]) || !(known[j] > 0.0)) continue;
-    if (Ni.dot(vec(N, j)) > MIN_COSINE) mean.add(1.0 - s.r()[k] / reach, K[j]);
+    if (s.r()[k] >= reach || !bound_surface(role[j]) || !(known[j] > 0.0)) continue;
+    if (Ni.dot(at(N, j)) > SAME_SURFACE) mean.add(1.0 - s.r()[k] / reach, K[j]);
   }
   return mean;
 }
@@ -188,7 +169,7 @@ Rows surface_rows(const Rows &fluid, const Role *role)
 {
   Rows rows;
   std::copy_if(fluid.begin(), fluid.end(), std::back_inserter(rows),
-               [role](int i) { return is_surface(role[i]); });
+               [role](int i) { return bound_surface(role[i]); });
   return rows;
 }
 
@@ -198,7 +179,7 @@ void wide_gradient(const Stencil &wide, const Rows &rows, const Role *role, doub
   for (int i : rows) {
     Direction outward;
     for (int k = wide.begin(i); k < wide.end(i); k++)
-      if (is_fluid(role[wide.col()[k]])) outward.add(-volume * wide.dw()[k] * pair_vector(wide, k));
+      if (is_fluid(role[wide.col()[k]])) outward.add(-volume * wide.dw()[k] * direction(wide, k));
     outward.store(N, i);
   }
 }
@@ -269,13 +250,13 @@ CurvatureCount published_curvature(const Stencil &s, const GradientWeights &g, c
       count.few++;
       continue;
     }
-    const Vec3 Ni = vec(N, i);
+    const Vec3 Ni = at(N, i);
     if (Ni.isZero(0.0)) continue;
     double kappa = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
-      if (!is_surface(role[j])) continue;
-      const Vec3 Nj = vec(N, j);
+      if (!bound_surface(role[j])) continue;
+      const Vec3 Nj = at(N, j);
       if (Nj.isZero(0.0)) continue;
       const Vec3 g_ij(g.g(0)[k], g.g(1)[k], s.dim() == 3 ? g.g(2)[k] : 0.0);
       kappa += factor * (Nj - Ni).dot(g_ij);

@@ -38,6 +38,11 @@ namespace aleisph {
 constexpr double WIDE_H = 2.4;    // smoothing length in spacings; support 4.8 d
 Kernel wide_kernel(int dim, double d);
 
+// Normals further apart (73 degrees) belong to different surfaces: the other side of a film, the
+// other flank of a cusp. It must let pass 45 degrees, the turn between the rim and the edge of a
+// cube.
+constexpr double SAME_SURFACE = 0.3;
+
 // owned fluid particles that are on the surface and not ballistic
 Rows surface_rows(const Rows &fluid, const Role *role);
 

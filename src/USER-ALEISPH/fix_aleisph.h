@@ -79,7 +79,7 @@ class AleisphPressureGuard {
 // What holds particles after the pressure has corrected their velocity
 class AleisphVelocityGuard {
  public:
-  // changes v (3 per particle) of owned fluid particles; ghosts are valid before
+  // changes v (3 per particle) of owned fluid particles; of ghosts, those of walls are valid
   virtual void guard_velocity(double *v) = 0;
 
  protected:

@@ -253,10 +253,7 @@ void FixAleisphPPE::correct_velocity()
     for (const int i : disc.fluid())
       for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
   }
-  if (auto *guard = owner_->velocity_guard()) {
-    owner_->forward(v, 3);
-    guard->guard_velocity(v);
-  }
+  if (auto *guard = owner_->velocity_guard()) guard->guard_velocity(v);
   if (!owner_->velocity_conditions().empty()) owner_->complete_velocity(v);
 }
 

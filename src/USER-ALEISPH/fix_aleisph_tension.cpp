@@ -243,7 +243,6 @@ void FixAleisphTension::setup(int vflag)
 
 void FixAleisphTension::pre_force(int)
 {
-  owner_->forward(owner_->velocity(), 3);
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
   if (owner_->version() != version_) rebuild();
   find_pressure();
@@ -365,6 +364,7 @@ void FixAleisphTension::find_pressure()
   const double viscous = viscous_pressure_factor();
   if (viscous > 0.0) {
     auto &disc = owner_->discretization();
+    owner_->forward(owner_->velocity(), 3);
     grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
     aleisph::velocity_gradient(disc.stencil(), disc.gradient(), rows_, owner_->velocity(),
                                owner_->role(), owner_->normal(), grad_v_.data());
