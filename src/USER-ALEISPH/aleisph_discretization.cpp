@@ -58,7 +58,7 @@ const LaplacianWeights &Discretization::laplacian()
   if (!have_laplacian_) {
     const GradientWeights &g = gradient();
     Timers::Scope scope(timers_, Part::OPERATORS);
-    laplacian_.build(stencil_, g, fluid_, volume_, kernel_, spacing_, LaplacianLimits(), role_);
+    laplacian_.build(stencil_, g, fluid_, kernel_, spacing_, LaplacianLimits(), role_);
     have_laplacian_ = true;
     counts_.laplacian++;
   }

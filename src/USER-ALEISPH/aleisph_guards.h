@@ -52,7 +52,7 @@ int collide(const Stencil &s, const Rows &fluid, const Role *role, const double 
    do the rest, so that rows with much more overshoot: hence the bound.
    l: the rows of the pressure equation; null: without the bound.
    inverse: L_i of owned and ghost fluid particles, 6 per particle, as from
-   inverse_moments() with the floor of g; read of the fluid neighbours of the
+   GradientWeights::inverse() with the floor of g; read of the fluid neighbours of the
    rows concerned. Returns the number of rows changed (sigma < 1).
 ------------------------------------------------------------------------- */
 struct SelfTermParams {

@@ -19,13 +19,6 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-inline Vec3 weight(const GradientWeights &g, int dim, int k)
-{
-  Vec3 g_ij = Vec3::Zero();
-  for (int a = 0; a < dim; a++) g_ij[a] = g.g(a)[k];
-  return g_ij;
-}
-
 bool near_surface(const Stencil &s, const Role *role, int i, double reach)
 {
   for (int k = s.begin(i); k < s.end(i); k++)
@@ -36,16 +29,8 @@ bool near_surface(const Stencil &s, const Role *role, int i, double reach)
 Vec3 sum_of_weights(const Stencil &s, const GradientWeights &g, int i)
 {
   Vec3 sum = Vec3::Zero();
-  for (int k = s.begin(i); k < s.end(i); k++) sum += weight(g, s.dim(), k);
+  for (int k = s.begin(i); k < s.end(i); k++) sum += pair_gradient(s, g, i, k);
   return sum;
-}
-
-// L_j e
-Vec3 times_inverse(const double *inverse, int j, const Vec3 &e)
-{
-  const double *L = inverse + 6 * j;    // xx yy zz xy xz yz
-  return Vec3(L[0] * e[0] + L[3] * e[1] + L[4] * e[2], L[3] * e[0] + L[1] * e[1] + L[5] * e[2],
-              L[4] * e[0] + L[5] * e[1] + L[2] * e[2]);
 }
 
 // P_i
@@ -55,9 +40,9 @@ double divergence_of_gradient(const Stencil &s, const GradientWeights &g, const 
   double sum = 0.0;
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    const Vec3 g_ij = weight(g, s.dim(), k);
+    const Vec3 g_ij = pair_gradient(s, g, i, k);
     if (role[j] & FLUID)
-      sum += volume * s.dw()[k] * g_ij.dot(times_inverse(inverse, j, direction(s, k)));
+      sum += volume * s.dw()[k] * g_ij.dot(packed_matrix(inverse, j) * direction(s, k));
     else
       sum += g_ij.squaredNorm();
   }

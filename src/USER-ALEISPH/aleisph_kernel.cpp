@@ -36,70 +36,6 @@ const Entry &entry(KernelType type)
   throw std::invalid_argument("unknown smoothing kernel");
 }
 
-inline double pow4(double x)
-{
-  const double x2 = x * x;
-  return x2 * x2;
-}
-
-inline double pow5(double x)
-{
-  return x * pow4(x);
-}
-
-double cubic_spline(double q)
-{
-  if (q < 1.0) return 1.0 + q * q * (0.75 * q - 1.5);
-  const double u = 2.0 - q;
-  return 0.25 * u * u * u;
-}
-
-double cubic_spline_slope(double q)
-{
-  if (q < 1.0) return q * (2.25 * q - 3.0);
-  const double u = 2.0 - q;
-  return -0.75 * u * u;
-}
-
-double quintic_spline(double q)
-{
-  double f = pow5(3.0 - q);
-  if (q < 2.0) f -= 6.0 * pow5(2.0 - q);
-  if (q < 1.0) f += 15.0 * pow5(1.0 - q);
-  return f;
-}
-
-double quintic_spline_slope(double q)
-{
-  // the three terms cancel at q = 0 only up to rounding: use the expanded form there
-  if (q < 1.0) return q * (-120.0 + q * q * (120.0 - 50.0 * q));
-  double f = -5.0 * pow4(3.0 - q);
-  if (q < 2.0) f += 30.0 * pow4(2.0 - q);
-  return f;
-}
-
-double wendland_c2(double q)
-{
-  return pow4(1.0 - 0.5 * q) * (1.0 + 2.0 * q);
-}
-
-double wendland_c2_slope(double q)
-{
-  const double u = 1.0 - 0.5 * q;
-  return -5.0 * q * u * u * u;
-}
-
-double wendland_c4(double q)
-{
-  const double u = 1.0 - 0.5 * q;
-  return u * u * pow4(u) * (1.0 + q * (3.0 + 35.0 / 12.0 * q));
-}
-
-double wendland_c4_slope(double q)
-{
-  return -7.0 / 3.0 * q * (2.0 + 5.0 * q) * pow5(1.0 - 0.5 * q);
-}
-
 }    // namespace
 
 Kernel::Kernel(KernelType type, int dim, double h) : type_(type), dim_(dim), h_(h)
@@ -141,27 +77,14 @@ double Kernel::w(double r) const
 {
   if (r >= support_) return 0.0;
   const double q = r / h_;
-  switch (type_) {
-    case KernelType::CUBIC_SPLINE: return norm_ * cubic_spline(q);
-    case KernelType::QUINTIC_SPLINE: return norm_ * quintic_spline(q);
-    case KernelType::WENDLAND_C2: return norm_ * wendland_c2(q);
-    case KernelType::WENDLAND_C4: return norm_ * wendland_c4(q);
-  }
-  return 0.0;    // not reached: the constructor has checked the type
+  return norm_ * with_shape([q](auto shape) { return decltype(shape)::value(q); });
 }
 
 double Kernel::dw(double r) const
 {
   if (r >= support_) return 0.0;
   const double q = r / h_;
-  const double norm = norm_ / h_;
-  switch (type_) {
-    case KernelType::CUBIC_SPLINE: return norm * cubic_spline_slope(q);
-    case KernelType::QUINTIC_SPLINE: return norm * quintic_spline_slope(q);
-    case KernelType::WENDLAND_C2: return norm * wendland_c2_slope(q);
-    case KernelType::WENDLAND_C4: return norm * wendland_c4_slope(q);
-  }
-  return 0.0;    // not reached: the constructor has checked the type
+  return slope_norm() * with_shape([q](auto shape) { return decltype(shape)::slope(q); });
 }
 
 }    // namespace aleisph

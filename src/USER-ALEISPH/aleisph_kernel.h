@@ -14,6 +14,8 @@
 #ifndef LMP_ALEISPH_KERNEL_H
 #define LMP_ALEISPH_KERNEL_H
 
+#include "aleisph_kernel_shapes.h"
+
 #include <string>
 
 namespace aleisph {
@@ -37,6 +39,20 @@ class Kernel {
   double h() const { return h_; }
   double support() const { return support_; }
   int dim() const { return dim_; }
+  double slope_norm() const { return norm_ / h_; }    // dW/dr = slope_norm() slope(r/h)
+
+  // calls function with the shape of this kernel (see aleisph_kernel_shapes.h), so that a loop
+  // over pairs decides once
+  template <class Function> auto with_shape(Function function) const
+  {
+    switch (type_) {
+      case KernelType::CUBIC_SPLINE: return function(CubicSpline());
+      case KernelType::QUINTIC_SPLINE: return function(QuinticSpline());
+      case KernelType::WENDLAND_C2: return function(WendlandC2());
+      case KernelType::WENDLAND_C4: break;
+    }
+    return function(WendlandC4());
+  }
 
  private:
   KernelType type_;

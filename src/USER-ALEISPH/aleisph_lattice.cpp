@@ -50,10 +50,9 @@ class LatticeRow {
  public:
   LatticeRow(const Kernel &kernel, double d) : stencil_(lattice_stencil(kernel, d, false))
   {
-    const double volume = std::pow(d, kernel.dim());
     GradientWeights g;
-    g.build(stencil_, volume);
-    laplacian_.build(stencil_, g, {0}, volume, kernel, d, NO_LIMITS);
+    g.build(stencil_, std::pow(d, kernel.dim()));
+    laplacian_.build(stencil_, g, {0}, kernel, d, NO_LIMITS);
   }
 
   double diagonal() const { return laplacian_.diagonal(0); }

@@ -27,28 +27,33 @@ namespace aleisph {
 using Rows = std::vector<int>;
 
 /* ----------------------------------------------------------------------
-   g_ij [1/length] and lambda_i, the smallest eigenvalue of M_i (0.98-0.99
-   in the bulk, 0.5 at a flat free surface, 0 for an isolated pair).
+   g_ij = V L_i gradW_ij [1/length] and lambda_i, the smallest eigenvalue of
+   M_i (0.98-0.99 in the bulk, 0.5 at a flat free surface, 0 for an isolated
+   pair). Only L_i is kept; g_ij of a pair is made from it when it is needed
+   (pair_gradient() in aleisph_vectors.h, or L_i after a sum over the row).
    On the rows listed in `floored`, eigenvalues of M below `floor` are
    replaced by it in L (lambda() stays the true one); such rows are counted
    in clamped(). A row whose M cannot be inverted (lambda < MIN_LAMBDA,
-   no floor) gets g_ij = 0 and is counted in singular().
+   no floor) gets L_i = 0 and is counted in singular().
 ------------------------------------------------------------------------- */
 class GradientWeights {
  public:
   static constexpr double MIN_LAMBDA = 1.0e-8;
+  static constexpr int PACKED = 6;
 
   void build(const Stencil &s, double volume, const Rows &floored = Rows(), double floor = 0.0);
 
-  const double *g(int a) const { return g_[a].data(); }    // pair array, component a < dim
+  double volume() const { return volume_; }
+  // L_i as xx yy zz xy xz yz, PACKED doubles for each owned row; in 2d z is zero
+  const double *inverse() const { return inverse_.data(); }
   double lambda(int i) const { return lambda_[i]; }
   int singular() const { return singular_; }
   int clamped() const { return clamped_; }
   double bytes() const;
 
  private:
-  std::array<std::vector<double>, 3> g_;
-  std::vector<double> lambda_;
+  double volume_ = 0.0;
+  std::vector<double> inverse_, lambda_;
   int singular_ = 0, clamped_ = 0;
 };
 
@@ -84,9 +89,8 @@ class LaplacianWeights {
   // builds the rows listed; all other rows are zero. kernel: the one of the
   // stencil (Morris' eta h^2, value on the full lattice), d: particle spacing;
   // role: read for SURFACE, may be null.
-  void build(const Stencil &s, const GradientWeights &g, const Rows &rows, double volume,
-             const Kernel &kernel, double d, const LaplacianLimits &limits,
-             const Role *role = nullptr);
+  void build(const Stencil &s, const GradientWeights &g, const Rows &rows, const Kernel &kernel,
+             double d, const LaplacianLimits &limits, const Role *role = nullptr);
 
   const double *a() const { return a_.data(); }            // pair array [1/length^2]
   double diagonal(int i) const { return diagonal_[i]; }    // sum_j a_ij, < 0 for a good row
@@ -102,10 +106,6 @@ class LaplacianWeights {
   std::vector<char> morris_;
   MorrisCount count_;
 };
-
-// inverse[6*i+...] = L_i of the rows listed as xx yy zz xy xz yz, with the floor of `floored` rows
-void inverse_moments(const Stencil &s, const Rows &rows, double volume, double floor,
-                     double *inverse);
 
 // grad[3*i+a] = (grad f)_i
 void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *f,

@@ -2,6 +2,8 @@
 
 #include "aleisph_ppe.h"
 
+#include "aleisph_vectors.h"
+
 #include <cmath>
 
 namespace aleisph {
@@ -13,26 +15,12 @@ void fluid_row(const Stencil &s, const LaplacianWeights &l, int i, double d, Csr
   for (int k = s.begin(i); k < s.end(i); k++) A.val(k) = d * d * l.a()[k];
 }
 
-// of -d n.grad
-void wall_row(const Stencil &s, const GradientWeights &g, const double *n_i, int i, double d,
-              CsrMatrix &A)
+// of length n.grad: -d for a wall; the offset of a free surface, a row that p_i is added to
+void normal_row(const Stencil &s, const GradientWeights &g, const double *normal, int i,
+                double length, CsrMatrix &A)
 {
-  for (int k = s.begin(i); k < s.end(i); k++) {
-    double n_g = 0.0;
-    for (int a = 0; a < s.dim(); a++) n_g += n_i[a] * g.g(a)[k];
-    A.val(k) = -d * n_g;
-  }
-}
-
-// of a N.grad, a row that p_i is added to
-void surface_row(const Stencil &s, const GradientWeights &g, const double *n_i, int i, double a,
-                 CsrMatrix &A)
-{
-  for (int k = s.begin(i); k < s.end(i); k++) {
-    double n_g = 0.0;
-    for (int c = 0; c < s.dim(); c++) n_g += n_i[c] * g.g(c)[k];
-    A.val(k) = a * n_g;
-  }
+  const Eigen::Vector3d n_L = length * g.volume() * (packed_matrix(g.inverse(), i) * at(normal, i));
+  for (int k = s.begin(i); k < s.end(i); k++) A.val(k) = s.dw()[k] * n_L.dot(direction(s, k));
 }
 
 // The row of a derivative has zero sum: a constant pressure has no effect. Summed as
@@ -96,9 +84,9 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
   for (int i = 0; i < s.rows(); i++) {
     type[i] = wanted_type(role[i]);
     if (type[i] == RowType::FLUID) fluid_row(s, l, i, d, A);
-    if (type[i] == RowType::WALL) wall_row(s, g, normal + 3 * i, i, d, A);
+    if (type[i] == RowType::WALL) normal_row(s, g, normal, i, -d, A);
     if (type[i] == RowType::SURFACE)
-      surface_row(s, g, normal + 3 * i, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
+      normal_row(s, g, normal, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
 
     const double diagonal = zero_sum_diagonal(A, i);
     if (type[i] == RowType::SURFACE && diagonal > 0.0)

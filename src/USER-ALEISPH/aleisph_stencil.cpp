@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Two passes over the candidates: the first counts the pairs of each row,
-   so that the pair arrays get their final size at once; the second fills
-   them. Squared distances decide, by the same expression in both passes.
+   Row by row: the candidates within the support are picked first, by their
+   squared distance and without branches; then a loop over these alone, which
+   the compiler can vectorise, computes what is stored.
+   From step to step the number of pairs hardly changes, so the arrays keep
+   their size; when they do not suffice the pairs are counted to the end and
+   the arrays made to fit.
 ------------------------------------------------------------------------- */
 
 #include "aleisph_stencil.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,12 +18,8 @@
 namespace aleisph {
 namespace {
 
-inline double distance2(int dim, const double *xi, const double *xj)
-{
-  const double dx = xi[0] - xj[0], dy = xi[1] - xj[1];
-  const double dz = dim == 3 ? xi[2] - xj[2] : 0.0;
-  return dx * dx + dy * dy + dz * dz;
-}
+// arrays are made this much longer than needed, and shortened when they are longer than that
+constexpr double SPARE = 1.02, TOO_LONG = 1.2;
 
 template <class T> double held(const std::vector<T> &v)
 {
@@ -31,68 +31,132 @@ inline bool wanted_row(const PairFilter &f, int i)
   return !f.role || ((f.role[i] & f.rows) && !(f.role[i] & f.drop));
 }
 
-inline bool wanted_column(const PairFilter &f, int j)
-{
-  return !f.role || !(f.role[j] & f.drop);
-}
-
-// row pointers of the pairs within the support; returns the number of coincident pairs
-int count_pairs(const Kernel &kernel, const double *const *x, const CandidateList &list,
-                const PairFilter &filter, std::vector<int> &ptr)
-{
-  const int nowned = static_cast<int>(ptr.size()) - 1, dim = kernel.dim();
-  const double support2 = kernel.support() * kernel.support();
-  int coincident = 0;
-  long long pairs = 0;
-  ptr[0] = 0;
-  for (int i = 0; i < nowned; i++) {
-    const int candidates = wanted_row(filter, i) ? list.count[i] : 0;
-    for (int m = 0; m < candidates; m++) {
-      const int j = list.first[i][m] & list.mask;
-      if (!wanted_column(filter, j)) continue;
-      const double r2 = distance2(dim, x[i], x[j]);
-      if (r2 == 0.0)
-        coincident++;
-      else if (r2 < support2)
-        pairs++;
-    }
-    if (pairs > std::numeric_limits<int>::max())
-      throw std::length_error("too many neighbour pairs for one rank");
-    ptr[i + 1] = static_cast<int>(pairs);
+// the pairs of one row
+struct Picked {
+  std::vector<int> j;
+  std::array<std::vector<double>, 3> dx;
+  std::vector<double> r2;
+  void resize(std::size_t n)
+  {
+    j.resize(n);
+    r2.resize(n);
+    for (auto &component : dx) component.resize(n);
   }
-  return coincident;
-}
+};
 
 }    // namespace
+
+class Stencil::Builder {
+ public:
+  Builder(Stencil &s, const Kernel &kernel, const double *const *x, const CandidateList &list,
+          const PairFilter &filter) :
+      s_(s), kernel_(kernel), x_(x), list_(list), filter_(filter),
+      support2_(kernel.support() * kernel.support())
+  {
+  }
+
+  // fills the rows as far as the arrays go; returns the number of all pairs
+  long long run(int nowned)
+  {
+    return kernel_.with_shape([this, nowned](auto shape) {
+      return s_.dim_ == 2 ? rows<2, decltype(shape)>(nowned) : rows<3, decltype(shape)>(nowned);
+    });
+  }
+
+ private:
+  template <int D, class Shape> long long rows(int nowned)
+  {
+    const auto longest = std::max_element(list_.count, list_.count + nowned);
+    picked_.resize(nowned > 0 ? *longest : 0);
+    s_.coincident_ = 0;
+    long long pairs = 0;
+    for (int i = 0; i < nowned; i++) {
+      const int n = wanted_row(filter_, i) ? pick<D>(i) : 0;
+      if (pairs + n <= static_cast<long long>(s_.slots())) store<D, Shape>(static_cast<int>(pairs), n);
+      pairs += n;
+      if (pairs > std::numeric_limits<int>::max())
+        throw std::length_error("too many neighbour pairs for one rank");
+      s_.ptr_[i + 1] = static_cast<int>(pairs);
+    }
+    return pairs;
+  }
+
+  template <int D> int pick(int i)
+  {
+    const double *const xi = x_[i];
+    const int *const first = list_.first[i];
+    int n = 0;
+    for (int m = 0; m < list_.count[i]; m++) {
+      const int j = first[m] & list_.mask;
+      const double *const xj = x_[j];
+      double r2 = 0.0;
+      for (int a = 0; a < D; a++) {
+        const double dx = xi[a] - xj[a];
+        picked_.dx[a][n] = dx;
+        r2 += dx * dx;
+      }
+      picked_.r2[n] = r2;
+      picked_.j[n] = j;
+      const bool wanted = !filter_.role || !(filter_.role[j] & filter_.drop);
+      s_.coincident_ += wanted && r2 == 0.0;
+      n += wanted && r2 < support2_ && r2 > 0.0;
+    }
+    return n;
+  }
+
+  template <int D, class Shape> void store(int begin, int n)
+  {
+    const double h = kernel_.h(), norm = kernel_.slope_norm();
+    const double *const r2 = picked_.r2.data();
+    double *const r = s_.r_.data() + begin, *const dw = s_.dw_.data() + begin;
+    for (int m = 0; m < n; m++) {
+      r[m] = std::sqrt(r2[m]);
+      dw[m] = norm * Shape::slope(r[m] / h);
+    }
+    for (int a = 0; a < D; a++) {
+      const double *const dx = picked_.dx[a].data();
+      double *const e = s_.e_[a].data() + begin;
+      for (int m = 0; m < n; m++) e[m] = dx[m] / r[m];
+    }
+    int *const col = s_.col_.data() + begin;
+    for (int m = 0; m < n; m++)
+      col[m] = list_.canonical ? list_.canonical[picked_.j[m]] : picked_.j[m];
+  }
+
+  Stencil &s_;
+  const Kernel &kernel_;
+  const double *const *x_;
+  const CandidateList &list_;
+  const PairFilter &filter_;
+  const double support2_;
+  Picked picked_;
+};
+
+void Stencil::set_slots(std::size_t n)
+{
+  // not resize() alone: nothing of the old contents is needed, and a vector keeps its capacity
+  const auto fit = [](auto &v, std::size_t size) {
+    std::remove_reference_t<decltype(v)>().swap(v);
+    v.resize(size);
+  };
+  fit(col_, n);
+  fit(r_, n);
+  fit(dw_, n);
+  for (int a = 0; a < 3; a++) fit(e_[a], a < dim_ ? n : 0);
+}
 
 void Stencil::build(const Kernel &kernel, int nowned, const double *const *x,
                     const CandidateList &list, const PairFilter &filter)
 {
+  if (dim_ != kernel.dim()) set_slots(0);
   dim_ = kernel.dim();
   ptr_.resize(nowned + 1);
-  coincident_ = count_pairs(kernel, x, list, filter, ptr_);
-  col_.resize(pairs());
-  r_.resize(pairs());
-  dw_.resize(pairs());
-  for (int a = 0; a < 3; a++) e_[a].resize(a < dim_ ? pairs() : 0);
-
-  const double support2 = kernel.support() * kernel.support();
-  int k = 0;
-  for (int i = 0; i < nowned; i++) {
-    const int candidates = wanted_row(filter, i) ? list.count[i] : 0;
-    for (int m = 0; m < candidates; m++) {
-      const int j = list.first[i][m] & list.mask;
-      if (!wanted_column(filter, j)) continue;
-      const double r2 = distance2(dim_, x[i], x[j]);
-      if (r2 == 0.0 || !(r2 < support2)) continue;
-      const double r = std::sqrt(r2);
-      col_[k] = j;
-      r_[k] = r;
-      dw_[k] = kernel.dw(r);
-      for (int a = 0; a < dim_; a++) e_[a][k] = (x[i][a] - x[j][a]) / r;
-      k++;
-    }
-  }
+  ptr_[0] = 0;
+  Builder builder(*this, kernel, x, list, filter);
+  const auto pairs = static_cast<double>(builder.run(nowned));
+  if (pairs <= slots() && slots() <= TOO_LONG * pairs) return;
+  set_slots(static_cast<std::size_t>(SPARE * pairs));
+  builder.run(nowned);
 }
 
 double Stencil::bytes() const

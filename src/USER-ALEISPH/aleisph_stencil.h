@@ -5,7 +5,9 @@
    r_ij = x_i - x_j [length], e_ij = r_ij/|r_ij|, dW/dr at |r_ij|.
    Columns are local indices: owned particles first, then ghosts. All
    arrays are pair arrays of length pairs(), indexed by k in
-   [begin(i), end(i)). In 2d the z component is not stored.
+   [begin(i), end(i)). In 2d the z component is not stored. With periodic
+   images as columns of the particles themselves, a row of a small box may
+   have the same column more than once.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_STENCIL_H
@@ -15,16 +17,21 @@
 #include "aleisph_roles.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace aleisph {
 
-// Candidate neighbours as a LAMMPS full neighbor list stores them; a column
-// index is first[i][m] & mask. Candidates beyond the support are filtered.
+// Candidate neighbours as a LAMMPS full neighbor list stores them; a particle
+// index is j = first[i][m] & mask, its column canonical[j]. Candidates beyond
+// the support are filtered.
 struct CandidateList {
   const int *count;           // per owned particle
   const int *const *first;    // per owned particle
   int mask;
+  // per particle, owned and ghost: the particle that it is a periodic image of, or itself; all
+  // fields must be the same on both, only positions differ. Null: every particle is itself.
+  const int *canonical = nullptr;
 };
 
 // Which pairs are wanted, by role (owned and ghost); without roles: all
@@ -39,7 +46,8 @@ class Stencil {
   // x: 3 doubles per particle (owned and ghost), [length].
   // Two particles at the same place cannot be handled; their pairs are left
   // out and counted in coincident(), once for each owned row that meets one.
-  // The order of the candidates is kept.
+  // The order of the candidates is kept. One pass over them, as long as the pairs fit into the
+  // memory of the last build; else a second one.
   void build(const Kernel &kernel, int nowned, const double *const *x, const CandidateList &list,
              const PairFilter &filter = PairFilter());
 
@@ -58,6 +66,10 @@ class Stencil {
   double bytes() const;                                    // memory held
 
  private:
+  class Builder;
+  std::size_t slots() const { return col_.size(); }
+  void set_slots(std::size_t n);
+
   int dim_ = 0, coincident_ = 0;
   std::vector<int> ptr_ = {0}, col_;
   std::vector<double> r_, dw_;

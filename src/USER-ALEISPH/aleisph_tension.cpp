@@ -204,7 +204,7 @@ void eigenvalue_gradient(const Stencil &s, const GradientWeights &g, const Rows 
   for (int i : rows) {
     Direction outward;
     for (int k = s.begin(i); k < s.end(i); k++) {
-      const Vec3 g_ij(g.g(0)[k], g.g(1)[k], s.dim() == 3 ? g.g(2)[k] : 0.0);
+      const Vec3 g_ij = pair_gradient(s, g, i, k);
       outward.add((lambda[i] - lambda[s.col()[k]]) * g_ij);
     }
     outward.store(N, i);
@@ -258,7 +258,7 @@ CurvatureCount published_curvature(const Stencil &s, const GradientWeights &g, c
       if (!bound_surface(role[j])) continue;
       const Vec3 Nj = at(N, j);
       if (Nj.isZero(0.0)) continue;
-      const Vec3 g_ij(g.g(0)[k], g.g(1)[k], s.dim() == 3 ? g.g(2)[k] : 0.0);
+      const Vec3 g_ij = pair_gradient(s, g, i, k);
       kappa += factor * (Nj - Ni).dot(g_ij);
     }
     K[i] = limit((s.dim() - 1) * kappa, 1.0 / d, count);

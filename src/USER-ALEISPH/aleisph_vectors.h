@@ -7,7 +7,7 @@
 #ifndef LMP_ALEISPH_VECTORS_H
 #define LMP_ALEISPH_VECTORS_H
 
-#include "aleisph_stencil.h"
+#include "aleisph_operators.h"
 
 #include <Eigen/Core>
 
@@ -28,6 +28,21 @@ inline Eigen::Vector3d direction(const Stencil &s, int k)
 inline Eigen::Vector3d separation(const Stencil &s, int k)
 {
   return s.r()[k] * direction(s, k);
+}
+
+// the symmetric matrix that GradientWeights::inverse() holds of particle i
+inline Eigen::Matrix3d packed_matrix(const double *packed, int i)
+{
+  const double *m = packed + GradientWeights::PACKED * i;    // xx yy zz xy xz yz
+  Eigen::Matrix3d L;
+  L << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
+  return L;
+}
+
+// g_ij of pair k, which is in row i
+inline Eigen::Vector3d pair_gradient(const Stencil &s, const GradientWeights &g, int i, int k)
+{
+  return g.volume() * s.dw()[k] * (packed_matrix(g.inverse(), i) * direction(s, k));
 }
 
 }    // namespace aleisph

@@ -176,7 +176,7 @@ void FixAleisphGuard::replace_gradients(const double *p, double *grad)
 void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
 {
   auto &disc = owner_->discretization();
-  inverses_near_surface();
+  complete_inverses();
   work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
   const int rows = aleisph::correct_self_term(
       disc.stencil(), disc.gradient(), disc.fluid(), owner_->role(), owner_->normal(),
@@ -194,25 +194,12 @@ aleisph::Rows FixAleisphGuard::free_rows() const
   return rows;
 }
 
-// Rows with a surface neighbour read L of their neighbours, so it is needed two supports deep.
-void FixAleisphGuard::inverses_near_surface()
+// L of ghosts, too
+void FixAleisphGuard::complete_inverses()
 {
-  auto &disc = owner_->discretization();
-  const auto &s = disc.stencil();
-  const aleisph::Role *role = owner_->role();
-  const auto has_neighbour = [&s](int i, const auto &test) {
-    return std::any_of(s.col() + s.begin(i), s.col() + s.end(i), test);
-  };
-  counts_.assign(owner_->nall(), 0.0);
-  for (const int i : disc.fluid())
-    counts_[i] = has_neighbour(i, [role](int j) { return (role[j] & aleisph::SURFACE) != 0; });
-  owner_->forward(counts_.data(), 1);
-  aleisph::Rows rows;
-  for (const int i : disc.fluid())
-    if (counts_[i] > 0.0 || has_neighbour(i, [this](int j) { return counts_[j] > 0.0; }))
-      rows.push_back(i);
+  const double *owned = owner_->discretization().gradient().inverse();
   inverse_.assign(6 * static_cast<std::size_t>(owner_->nall()), 0.0);
-  aleisph::inverse_moments(s, rows, disc.volume(), disc.floor(), inverse_.data());
+  std::copy(owned, owned + 6 * static_cast<std::size_t>(atom->nlocal), inverse_.begin());
   owner_->forward(inverse_.data(), 6);
 }
 

@@ -49,7 +49,7 @@ class FixAleisphGuard : public Fix, private AleisphPressureGuard {
   void replace_gradients(const double *p, double *grad);
   void correct_self_terms(const double *p, double *grad);
   aleisph::Rows free_rows() const;
-  void inverses_near_surface();
+  void complete_inverses();
   void collide();
   void cap();
   void hold_off_walls();

@@ -114,7 +114,7 @@ Discrete::Discrete(const Kernel &kernel, double d, const Cloud &cloud,
 {
   s_.build(kernel, cloud.owned(), cloud.x(), cloud.list());
   g_.build(s_, volume_);
-  l_.build(s_, g_, cloud.rows(), volume_, kernel, d, limits);
+  l_.build(s_, g_, cloud.rows(), kernel, d, limits);
 }
 
 std::vector<double> random_field(int n, unsigned seed)

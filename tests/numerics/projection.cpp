@@ -96,9 +96,9 @@ FreeSurfaceFlow::FreeSurfaceFlow(const Scene &scene) :
   s_.build(kernel, size(), cloud.x(), cloud.list());
   g_.build(s_, volume_, fluid_, FLOOR);
   detect_surface(s_, g_, fluid_, d, SurfaceParams(), scene_.role.data(), scene_.normal.data());
-  l_.build(s_, g_, fluid_, volume_, kernel, d, LaplacianLimits(), role());
+  l_.build(s_, g_, fluid_, kernel, d, LaplacianLimits(), role());
   inverse_.assign(6 * static_cast<size_t>(size()), 0.0);
-  inverse_moments(s_, fluid_, volume_, FLOOR, inverse_.data());
+  std::copy_n(g_.inverse(), inverse_.size(), inverse_.begin());
 }
 
 std::vector<double> FreeSurfaceFlow::gradient(const double *p) const

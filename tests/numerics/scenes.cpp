@@ -217,7 +217,7 @@ Discretized::Discretized(const Scene &scene, const LaplacianLimits &limits, bool
   s_.build(kernel_, static_cast<int>(scene.points.size()), c.x.data(),
            {c.count.data(), c.first.data(), 0x1FFFFFFF});
   g_.build(s_, volume);
-  if (laplacian) l_.build(s_, g_, scene.rows(FLUID), volume, kernel_, scene.d, limits);
+  if (laplacian) l_.build(s_, g_, scene.rows(FLUID), kernel_, scene.d, limits);
 }
 
 Rows Discretized::all() const

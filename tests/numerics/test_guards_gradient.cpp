@@ -4,6 +4,7 @@
    radius of one pressure correction.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_vectors.h"
 #include "projection.h"
 
 #include <gtest/gtest.h>
@@ -20,19 +21,9 @@ namespace {
 using Vec3 = Eigen::Vector3d;
 using Field = std::vector<double>;
 
-Vec3 at(const double *v, int i)
-{
-  return Vec3(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
-}
-
 Vec3 e_ij(const Stencil &s, int k)
 {
   return Vec3(s.e(0)[k], s.e(1)[k], s.dim() == 3 ? s.e(2)[k] : 0.0);
-}
-
-Vec3 g_ij(const Stencil &s, const GradientWeights &g, int k)
-{
-  return Vec3(g.g(0)[k], g.g(1)[k], s.dim() == 3 ? g.g(2)[k] : 0.0);
 }
 
 Field random_pressure(const FreeSurfaceFlow &flow, unsigned seed)
@@ -113,7 +104,7 @@ Row row_of(const FreeSurfaceFlow &flow, int i)
   std::vector<Vec3> normals;
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    const Vec3 g = g_ij(s, flow.g(), k);
+    const Vec3 g = pair_gradient(s, flow.g(), i, k);
     row.S += g;
     row.near_surface |= (flow.role()[j] & SURFACE) != 0;    // 2.4 d is the support
     if (flow.role()[j] & WALL) {
@@ -122,7 +113,7 @@ Row row_of(const FreeSurfaceFlow &flow, int i)
       continue;
     }
     for (int m = s.begin(j); m < s.end(j); m++)
-      if (s.col()[m] == i) row.P -= g.dot(g_ij(s, flow.g(), m));
+      if (s.col()[m] == i) row.P -= g.dot(pair_gradient(s, flow.g(), j, m));
   }
   row.S = nearest_inward(row.S, normals);
   return row;

@@ -174,9 +174,9 @@ TEST(Laplacian, UnlistedRowsAreZero)
   const Cloud cloud = block(2, 3, 2);
   Discrete op(kernel, D, cloud);
   LaplacianWeights l;
-  l.build(op.s(), op.g(), cloud.rows(), op.volume(), kernel, D, LaplacianLimits());
+  l.build(op.s(), op.g(), cloud.rows(), kernel, D, LaplacianLimits());
   const int all = l.morris_count().total();
-  l.build(op.s(), op.g(), {4, 2}, op.volume(), kernel, D, LaplacianLimits());    // forgets the rest
+  l.build(op.s(), op.g(), {4, 2}, kernel, D, LaplacianLimits());    // forgets the rest
   EXPECT_LT(l.morris_count().total(), all);
   for (int i = 0; i < cloud.owned(); i++) {
     const bool listed = i == 2 || i == 4;
