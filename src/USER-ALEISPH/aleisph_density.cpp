@@ -5,6 +5,7 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_images.h"
+#include "aleisph_seen.h"
 #include "aleisph_shift.h"
 #include "aleisph_surface_shape.h"
 
@@ -20,19 +21,13 @@ constexpr double IMAGE_ERROR = 1.0e-3;
 double sum_near(const Stencil &s, const Kernel &kernel, int i, double reach)
 {
   double sum = 0.0;
+  const double *const r = s.r();
   for (int k = s.begin(i); k < s.end(i); k++)
-    if (s.r()[k] < reach) sum += kernel.w(s.r()[k]);
+    if (r[k] < reach) sum += kernel.w(r[k]);
   return sum;
 }
 
 }    // namespace
-
-bool sees_wall(const Stencil &s, const Role *role, int i)
-{
-  for (int k = s.begin(i); k < s.end(i); k++)
-    if (role[s.col()[k]] & WALL) return true;
-  return false;
-}
 
 double nearest_reach(int dim, double d)
 {
@@ -58,23 +53,23 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach)
 
 void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
                        const double *normal, double volume, double d, bool published, double *eps,
-                       const double *curvature)
+                       const double *curvature, const Role *seen)
 {
   const double reach = published ? nearest_reach(kernel.dim(), d) : kernel.support();
   const DensityScale scale = density_scale(kernel, d, reach);
   Images images(s, role, normal, d, kernel.support(), true);
   const SurfaceShape shape(kernel, d);
+  const SeenRoles neighbours(s, role, seen);
   for (const int i : fluid) {
     double sum = kernel.w(0.0) + sum_near(s, kernel, i, reach), expected = 1.0;
-    if (!published) {
-      const auto &more = images.of(i);
-      for (const Eigen::Vector3d &r : more) sum += kernel.w(r.norm());
-      if (role[i] & SURFACE)
-        expected = sees_wall(s, role, i) ? scale.flat : shape.density(shape.asymmetry(s, i));
-    }
+    const bool wall = !published && neighbours.any(i, WALL);
+    if (wall || (!published && neighbours.any(i, SURFACE)))
+      for (const Eigen::Vector3d &r : images.of(i)) sum += kernel.w(r.norm());
+    if (!published && (role[i] & SURFACE))
+      expected = wall ? scale.flat : shape.density(shape.asymmetry(s, i));
     if (!published && curvature && (role[i] & SURFACE)) expected -= scale.curved * curvature[i] * d;
     eps[i] = scale.beta * volume * sum - expected;
-    if (!published && std::fabs(eps[i]) < IMAGE_ERROR && sees_wall(s, role, i)) eps[i] = 0.0;
+    if (wall && std::fabs(eps[i]) < IMAGE_ERROR) eps[i] = 0.0;
   }
 }
 

@@ -20,7 +20,7 @@ void Discretization::update(int nowned, const double *const *x, const CandidateL
   stencil_.build(kernel_, nowned, x, list, filter);
   role_ = role;
   sort_rows(nowned, role);
-  have_gradient_ = have_laplacian_ = false;
+  have_gradient_ = have_laplacian_ = have_seen_ = false;
   counts_.stencil++;
 }
 
@@ -51,6 +51,16 @@ const GradientWeights &Discretization::gradient()
     counts_.gradient++;
   }
   return gradient_;
+}
+
+const Role *Discretization::seen()
+{
+  if (!have_seen_) {
+    Timers::Scope scope(timers_, Part::STENCIL);
+    SeenRoles(stencil_, role_).make_table(seen_);
+    have_seen_ = true;
+  }
+  return seen_.data();
 }
 
 const LaplacianWeights &Discretization::laplacian()

@@ -11,6 +11,7 @@
 #define LMP_ALEISPH_DISCRETIZATION_H
 
 #include "aleisph_operators.h"
+#include "aleisph_seen.h"
 #include "aleisph_timers.h"
 
 namespace aleisph {
@@ -42,6 +43,11 @@ class Discretization {
   const LaplacianWeights &laplacian();
   double floor() const { return floor_; }
 
+  // table of SeenRoles, of the roles there are when it is first asked for after update() or
+  // roles_changed()
+  const Role *seen();
+  void roles_changed() { have_seen_ = false; }
+
   // a buffer or wall particle is not in fluid(); a wall particle with
   // prescribed pressure is in wall(), a dry one is not
   const Rows &fluid() const { return fluid_; }
@@ -62,7 +68,8 @@ class Discretization {
   Stencil stencil_;
   GradientWeights gradient_;
   LaplacianWeights laplacian_;
-  bool have_gradient_ = false, have_laplacian_ = false;
+  bool have_gradient_ = false, have_laplacian_ = false, have_seen_ = false;
+  std::vector<Role> seen_;
   Rows fluid_, wall_, buffer_, all_;
   BuildCounts counts_;
 };

@@ -45,6 +45,7 @@ Kernel::Kernel(KernelType type, int dim, double h) : type_(type), dim_(dim), h_(
     throw std::invalid_argument("a kernel needs a smoothing length > 0");
   const Entry &e = entry(type);
   support_ = e.support_over_h * h;
+  inverse_h_ = 1.0 / h;
   norm_ = dim == 2 ? e.sigma2 / (h * h) : e.sigma3 / (h * h * h);
 }
 
@@ -71,20 +72,6 @@ const char *Kernel::names()
 double Kernel::support_over_h(KernelType type)
 {
   return entry(type).support_over_h;
-}
-
-double Kernel::w(double r) const
-{
-  if (r >= support_) return 0.0;
-  const double q = r / h_;
-  return norm_ * with_shape([q](auto shape) { return decltype(shape)::value(q); });
-}
-
-double Kernel::dw(double r) const
-{
-  if (r >= support_) return 0.0;
-  const double q = r / h_;
-  return slope_norm() * with_shape([q](auto shape) { return decltype(shape)::slope(q); });
 }
 
 }    // namespace aleisph

@@ -39,7 +39,8 @@ class Kernel {
   double h() const { return h_; }
   double support() const { return support_; }
   int dim() const { return dim_; }
-  double slope_norm() const { return norm_ / h_; }    // dW/dr = slope_norm() slope(r/h)
+  double inverse_h() const { return inverse_h_; }
+  double slope_norm() const { return norm_ * inverse_h_; }    // dW/dr = slope_norm() slope(r/h)
 
   // calls function with the shape of this kernel (see aleisph_kernel_shapes.h), so that a loop
   // over pairs decides once
@@ -57,8 +58,22 @@ class Kernel {
  private:
   KernelType type_;
   int dim_;
-  double h_, support_, norm_;
+  double h_, inverse_h_, support_, norm_;
 };
+
+inline double Kernel::w(double r) const
+{
+  if (r >= support_) return 0.0;
+  const double q = r * inverse_h_;
+  return norm_ * with_shape([q](auto shape) { return decltype(shape)::value(q); });
+}
+
+inline double Kernel::dw(double r) const
+{
+  if (r >= support_) return 0.0;
+  const double q = r * inverse_h_;
+  return slope_norm() * with_shape([q](auto shape) { return decltype(shape)::slope(q); });
+}
 
 }    // namespace aleisph
 #endif

@@ -8,29 +8,35 @@
 
 #include "aleisph_operators.h"
 
-#include "aleisph_vectors.h"
-
 #include <Eigen/Dense>
 #include <array>
+#include <type_traits>
 
 namespace aleisph {
 namespace {
 
-using Vec = Eigen::Vector3d;
-using Mat = Eigen::Matrix3d;
+template <int D> using Vec = Eigen::Matrix<double, D, 1>;
+template <int D> using Mat = Eigen::Matrix<double, D, D>;
 
-inline void store(const Vec &value, double *v, int i)
+// components beyond D are zero
+template <int D> inline void store(const Vec<D> &value, double *v, int i)
 {
-  for (int a = 0; a < 3; a++) v[3 * i + a] = value[a];
+  for (int a = 0; a < 3; a++) v[3 * i + a] = a < D ? value[a] : 0.0;
 }
 
 // V L_i
-inline Mat correction(const GradientWeights &g, int i)
+template <int D> inline Mat<D> correction(const GradientWeights &g, int i)
 {
-  return g.volume() * packed_matrix(g.inverse(), i);
+  const double *const m = g.inverse() + GradientWeights::PACKED * i;    // xx yy zz xy xz yz
+  Mat<D> L;
+  if constexpr (D == 2)
+    L << m[0], m[3], m[3], m[1];
+  else
+    L << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
+  return g.volume() * L;
 }
 
-// Sums over the pairs of a row; those with dim = 2 leave the z direction zero
+// Sums over the pairs of a row
 template <int D> class KernelSums {
  public:
   explicit KernelSums(const Stencil &s) : s_(s), col_(s.col()), dw_(s.dw())
@@ -38,8 +44,10 @@ template <int D> class KernelSums {
     for (int b = 0; b < D; b++) e_[b] = s.e(b);
   }
 
+  static constexpr int DIM = D;
+
   // sum_j (f_j - f_i) dW/dr e_ij, in four independent sums
-  Vec scalar(int i, const double *f) const
+  Vec<D> scalar(int i, const double *f) const
   {
     constexpr int WIDTH = 4;
     double sum[D][WIDTH] = {};
@@ -52,38 +60,41 @@ template <int D> class KernelSums {
       }
     for (; k < s_.end(i); k++)
       for (int b = 0; b < D; b++) sum[b][0] += (f[col_[k]] - f_i) * dw_[k] * e_[b][k];
-    Vec total = Vec::Zero();
+    Vec<D> total;
     for (int b = 0; b < D; b++) total[b] = (sum[b][0] + sum[b][1]) + (sum[b][2] + sum[b][3]);
     return total;
   }
 
-  // sum_j (v_j - v_i) (x) dW/dr e_ij. Of a slip wall only the normal part of v_j - v_i counts, as
-  // its tangential part follows the fluid.
-  Mat vector(int i, const double *v, const Role *role, const double *normal) const
+  // sum_j (v_j - v_i) (x) dW/dr e_ij of the first C components of v. Of a slip wall only the
+  // normal part of v_j - v_i counts, as its tangential part follows the fluid.
+  template <int C>
+  Eigen::Matrix<double, C, D> vector(int i, const double *v, const Role *role,
+                                     const double *normal) const
   {
-    double sum[3][D] = {};
+    double sum[C][D] = {};
     const double *const v_i = v + 3 * i;
     for (int k = s_.begin(i); k < s_.end(i); k++) {
       const int j = col_[k];
-      double dv[3];
-      for (int a = 0; a < 3; a++) dv[a] = v[3 * j + a] - v_i[a];
-      if (normal && (role[j] & SLIP)) keep_normal_part(normal + 3 * j, dv);
+      double dv[C];
+      for (int a = 0; a < C; a++) dv[a] = v[3 * j + a] - v_i[a];
+      if (normal && (role[j] & SLIP)) keep_normal_part<C>(normal + 3 * j, dv);
       for (int b = 0; b < D; b++) {
         const double weight = dw_[k] * e_[b][k];
-        for (int a = 0; a < 3; a++) sum[a][b] += dv[a] * weight;
+        for (int a = 0; a < C; a++) sum[a][b] += dv[a] * weight;
       }
     }
-    Mat total = Mat::Zero();
-    for (int a = 0; a < 3; a++)
+    Eigen::Matrix<double, C, D> total;
+    for (int a = 0; a < C; a++)
       for (int b = 0; b < D; b++) total(a, b) = sum[a][b];
     return total;
   }
 
  private:
-  static void keep_normal_part(const double *n, double *dv)
+  template <int C> static void keep_normal_part(const double *n, double *dv)
   {
-    const double part = dv[0] * n[0] + dv[1] * n[1] + dv[2] * n[2];
-    for (int a = 0; a < 3; a++) dv[a] = part * n[a];
+    double part = 0.0;
+    for (int a = 0; a < C; a++) part += dv[a] * n[a];
+    for (int a = 0; a < C; a++) dv[a] = part * n[a];
   }
 
   const Stencil &s_;
@@ -107,7 +118,8 @@ void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, cons
               double *grad)
 {
   with_sums(s, [&](const auto &sums) {
-    for (const int i : rows) store(correction(g, i) * sums.scalar(i, f), grad, i);
+    constexpr int D = std::decay_t<decltype(sums)>::DIM;
+    for (const int i : rows) store<D>(correction<D>(g, i) * sums.scalar(i, f), grad, i);
   });
 }
 
@@ -115,8 +127,9 @@ void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, co
                 const Role *role, const double *normal, double *div)
 {
   with_sums(s, [&](const auto &sums) {
+    constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows)
-      div[i] = sums.vector(i, v, role, normal).cwiseProduct(correction(g, i)).sum();
+      div[i] = sums.template vector<D>(i, v, role, normal).cwiseProduct(correction<D>(g, i)).sum();
   });
 }
 
@@ -124,8 +137,11 @@ void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, co
                 const double *v, const Role *role, const double *normal, double *out)
 {
   with_sums(s, [&](const auto &sums) {
-    for (const int i : rows)
-      store(sums.vector(i, v, role, normal) * (correction(g, i) * at(c, i)), out, i);
+    constexpr int D = std::decay_t<decltype(sums)>::DIM;
+    for (const int i : rows) {
+      const Vec<D> weight = correction<D>(g, i) * Eigen::Map<const Vec<D>>(c + 3 * i);
+      store<3>(sums.template vector<3>(i, v, role, normal) * weight, out, i);
+    }
   });
 }
 
@@ -133,9 +149,12 @@ void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &r
                        const double *v, const Role *role, const double *normal, double *out)
 {
   with_sums(s, [&](const auto &sums) {
-    for (const int i : rows)
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) =
-          sums.vector(i, v, role, normal) * correction(g, i);
+    constexpr int D = std::decay_t<decltype(sums)>::DIM;
+    for (const int i : rows) {
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> gradient(out + 9 * i);
+      gradient.setZero();
+      gradient.leftCols<D>() = sums.template vector<3>(i, v, role, normal) * correction<D>(g, i);
+    }
   });
 }
 
@@ -143,9 +162,12 @@ void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const do
           double *out)
 {
   with_sums(s, [&](const auto &sums) {
+    constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows) {
-      const Mat grad = sums.vector(i, v, nullptr, nullptr) * correction(g, i);
-      store(Vec(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)), out, i);
+      Mat<3> grad = Mat<3>::Zero();
+      grad.leftCols<D>() = sums.template vector<3>(i, v, nullptr, nullptr) * correction<D>(g, i);
+      store<3>(Vec<3>(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)),
+               out, i);
     }
   });
 }

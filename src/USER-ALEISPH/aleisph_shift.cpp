@@ -8,6 +8,7 @@
 #include "aleisph_shift.h"
 
 #include "aleisph_images.h"
+#include "aleisph_seen.h"
 #include "aleisph_surface_shape.h"
 #include "aleisph_vectors.h"
 
@@ -41,6 +42,7 @@ struct Scene {
   const double *normal;
   double volume, d;
   const ShiftParams &params;
+  SeenRoles neighbours;
 
   bool on_surface(int i) const { return role[i] & SURFACE; }
 };
@@ -59,8 +61,8 @@ class DensityShift {
   {
     const Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
     if (c_.params.published || !c_.on_surface(i)) return dr;
-    const double corner = sees_wall(c_.s, c_.role, i) ? 0.0
-                                                      : shape_.corner(shape_.asymmetry(c_.s, i));
+    const bool wall = c_.neighbours.any(i, WALL);
+    const double corner = wall ? 0.0 : shape_.corner(shape_.asymmetry(c_.s, i));
     return (1.0 - corner) * (dr + smooth(i));
   }
 
@@ -150,6 +152,7 @@ class ConcentrationShift {
     Vec sum = Vec::Zero();
     for (int k = s.begin(i); k < s.end(i); k++)
       sum += weight(s.r()[k], s.dw()[k]) * direction(s, k);
+    if (!c_.neighbours.any(i, WALL)) return c_.volume * sum;
     for (const Vec &r : images_.of(i)) {
       const double length = r.norm();
       sum += weight(length, c_.kernel.dw(length)) / length * r;
@@ -212,7 +215,7 @@ ShiftCount shift_rows(const Scene &c, const Rows &fluid, Model model, double *dr
   for (const int i : fluid) {
     Vec step = Vec::Zero();
     if (!(c.role[i] & BALLISTIC)) step = model(i);
-    if (c.params.wall_step > 0.0) step += away_from_wall(c, i);
+    if (c.params.wall_step > 0.0 && c.neighbours.any(i, WALL)) step += away_from_wall(c, i);
     const double length = step.norm();
     if (length > most) {
       step *= most / length;
@@ -232,9 +235,10 @@ inline Vec apply(const double *gradient, const Vec &r)
 
 ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &fluid,
                          const Role *role, const double *normal, const double *eps, const double *v,
-                         double volume, double d, const ShiftParams &params, double *dr)
+                         double volume, double d, const ShiftParams &params, double *dr,
+                         const Role *seen)
 {
-  const Scene scene = {s, kernel, role, normal, volume, d, params};
+  const Scene scene = {s, kernel, role, normal, volume, d, params, SeenRoles(s, role, seen)};
   if (params.model == ShiftModel::DENSITY)
     return shift_rows(scene, fluid, DensityShift(scene, eps), dr);
   return shift_rows(scene, fluid, ConcentrationShift(scene, v), dr);

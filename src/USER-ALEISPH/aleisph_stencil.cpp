@@ -35,11 +35,12 @@ inline bool wanted_row(const PairFilter &f, int i)
 struct Picked {
   std::vector<int> j;
   std::array<std::vector<double>, 3> dx;
-  std::vector<double> r2;
+  std::vector<double> r2, inverse;
   void resize(std::size_t n)
   {
     j.resize(n);
     r2.resize(n);
+    inverse.resize(n);
     for (auto &component : dx) component.resize(n);
   }
 };
@@ -106,21 +107,25 @@ class Stencil::Builder {
 
   template <int D, class Shape> void store(int begin, int n)
   {
-    const double h = kernel_.h(), norm = kernel_.slope_norm();
+    const double inverse_h = kernel_.inverse_h(), norm = kernel_.slope_norm();
     const double *const r2 = picked_.r2.data();
     double *const r = s_.r_.data() + begin, *const dw = s_.dw_.data() + begin;
+    double *const inverse = picked_.inverse.data();
     for (int m = 0; m < n; m++) {
-      r[m] = std::sqrt(r2[m]);
-      dw[m] = norm * Shape::slope(r[m] / h);
+      const double length = std::sqrt(r2[m]);
+      r[m] = length;
+      inverse[m] = 1.0 / length;
+      dw[m] = norm * Shape::slope(length * inverse_h);
     }
     for (int a = 0; a < D; a++) {
       const double *const dx = picked_.dx[a].data();
       double *const e = s_.e_[a].data() + begin;
-      for (int m = 0; m < n; m++) e[m] = dx[m] / r[m];
+      for (int m = 0; m < n; m++) e[m] = dx[m] * inverse[m];
     }
     int *const col = s_.col_.data() + begin;
-    for (int m = 0; m < n; m++)
-      col[m] = list_.canonical ? list_.canonical[picked_.j[m]] : picked_.j[m];
+    for (int m = 0; m < n; m++) col[m] = picked_.j[m];
+    if (list_.canonical)
+      for (int m = 0; m < n; m++) col[m] = list_.canonical[col[m]];
   }
 
   Stencil &s_;

@@ -208,13 +208,14 @@ void FixAleisphShift::shift()
     eps_.assign(owner_->nall(), 0.0);
     aleisph::density_deviation(s, disc.kernel(), disc.fluid(), owner_->role(), owner_->normal(),
                                disc.volume(), disc.spacing(), params_.published, eps_.data(),
-                               owner_->tension() ? owner_->tension()->curvature() : nullptr);
+                               owner_->tension() ? owner_->tension()->curvature() : nullptr,
+                               disc.seen());
     owner_->forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   const auto count = aleisph::compute_shift(s, disc.kernel(), disc.fluid(), owner_->role(),
                                             owner_->normal(), eps_.data(), v, disc.volume(),
-                                            disc.spacing(), params_, dr_.data());
+                                            disc.spacing(), params_, dr_.data(), disc.seen());
   limited_ = count.limited;
   limited_total_ += count.limited;
 
@@ -237,13 +238,18 @@ void FixAleisphShift::add_acceleration(double *a)
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const std::size_t nall = owner_->nall();
   grad_v_.assign(9 * nall, 0.0);
-  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->velocity(),
+  const aleisph::SeenRoles neighbours(disc.stencil(), owner_->role(), disc.seen());
+  rows_.clear();
+  for (const int i : disc.fluid())
+    if ((owner_->role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
+      rows_.push_back(i);
+  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), rows_, owner_->velocity(),
                              owner_->role(), owner_->normal(), grad_v_.data());
   owner_->forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  aleisph::surface_velocity_filter(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
+  aleisph::surface_velocity_filter(disc.stencil(), disc.kernel(), rows_, owner_->role(),
                                    owner_->velocity(), grad_v_.data(), disc.volume(), work_.data());
-  for (const int i : disc.fluid())
+  for (const int i : rows_)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
 }
 

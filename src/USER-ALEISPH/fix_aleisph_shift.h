@@ -60,6 +60,7 @@ class FixAleisphShift : public Fix, private AleisphAcceleration {
   double coefficient_, limited_total_;
   int limited_;
   std::vector<double> eps_, dr_, grad_v_, work_;
+  aleisph::Rows rows_;    // on or next to the surface
 };
 
 }    // namespace LAMMPS_NS

@@ -164,4 +164,5 @@ void FixAleisph::forward_roles()
   std::vector<double> bits(role_.begin(), role_.end());
   forward(bits.data(), 1);
   for (int i = atom->nlocal; i < nall(); i++) role_[i] = static_cast<Role>(bits[i]);
+  discretization_->roles_changed();
 }

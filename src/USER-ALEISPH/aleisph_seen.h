@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Which roles the neighbours of a row have. Most rows lie in the bulk, and
+   what is special about walls and surfaces is skipped there. A table of all
+   rows, made in one pass, answers without a loop over the pairs.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_SEEN_H
+#define LMP_ALEISPH_SEEN_H
+
+#include "aleisph_roles.h"
+#include "aleisph_stencil.h"
+
+#include <vector>
+
+namespace aleisph {
+
+class SeenRoles {
+ public:
+  // table: as from make_table() with the present roles; null: rows are searched when asked for
+  SeenRoles(const Stencil &s, const Role *role, const Role *table = nullptr) :
+      s_(s), role_(role), table_(table)
+  {
+  }
+
+  // whether a neighbour of owned particle i has one of these roles
+  bool any(int i, Role wanted) const { return ((table_ ? table_[i] : of(i)) & wanted) != 0; }
+
+  // the roles of all neighbours of each owned particle
+  void make_table(std::vector<Role> &table) const
+  {
+    table.resize(s_.rows());
+    for (int i = 0; i < s_.rows(); i++) table[i] = of(i);
+  }
+
+ private:
+  Role of(int i) const
+  {
+    Role seen = 0;
+    for (int k = s_.begin(i); k < s_.end(i); k++) seen |= role_[s_.col()[k]];
+    return seen;
+  }
+
+  const Stencil &s_;
+  const Role *role_, *table_;
+};
+
+}    // namespace aleisph
+#endif
