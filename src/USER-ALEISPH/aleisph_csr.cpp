@@ -2,6 +2,8 @@
 
 #include "aleisph_csr.h"
 
+#include <utility>
+
 namespace aleisph {
 
 void CsrMatrix::reset(int rows, const int *ptr, const int *col)
@@ -11,6 +13,22 @@ void CsrMatrix::reset(int rows, const int *ptr, const int *col)
   col_ = col;
   val_.assign(rows > 0 ? ptr[rows] : 0, 0.0);
   diag_.assign(rows, 0.0);
+}
+
+void CsrMatrix::reset(int rows, const int *ptr, const int *col, std::vector<double> &&values)
+{
+  rows_ = rows;
+  ptr_ = ptr;
+  col_ = col;
+  val_ = std::move(values);
+  val_.resize(rows > 0 ? ptr[rows] : 0);
+  diag_.assign(rows, 0.0);
+}
+
+std::vector<double> CsrMatrix::release()
+{
+  rows_ = 0;
+  return std::move(val_);
 }
 
 double CsrMatrix::bytes() const

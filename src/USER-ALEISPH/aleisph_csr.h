@@ -17,6 +17,10 @@ class CsrMatrix {
  public:
   // resizes and zeroes val and diag for this pattern
   void reset(int rows, const int *ptr, const int *col);
+  // the same with these values; their memory becomes that of val
+  void reset(int rows, const int *ptr, const int *col, std::vector<double> &&values);
+  // the memory of val, to be used for the next values; the matrix is empty then
+  std::vector<double> release();
 
   int rows() const { return rows_; }
   int begin(int i) const { return ptr_[i]; }

@@ -20,7 +20,7 @@ void Discretization::update(int nowned, const double *const *x, const CandidateL
   stencil_.build(kernel_, nowned, x, list, filter);
   role_ = role;
   sort_rows(nowned, role);
-  have_gradient_ = have_laplacian_ = have_seen_ = false;
+  have_gradient_ = have_laplacian_ = have_weights_ = have_seen_ = false;
   counts_.stencil++;
 }
 
@@ -65,14 +65,32 @@ const Role *Discretization::seen()
 
 const LaplacianWeights &Discretization::laplacian()
 {
-  if (!have_laplacian_) {
+  if (!have_weights_) {
     const GradientWeights &g = gradient();
     Timers::Scope scope(timers_, Part::OPERATORS);
     laplacian_.build(stencil_, g, fluid_, kernel_, spacing_, LaplacianLimits(), role_);
-    have_laplacian_ = true;
+    have_laplacian_ = have_weights_ = true;
     counts_.laplacian++;
   }
   return laplacian_;
+}
+
+void Discretization::laplacian_weights(bool keep, std::vector<double> &a)
+{
+  if (keep) {
+    laplacian();
+    a.assign(laplacian_.a(), laplacian_.a() + stencil_.pairs());
+  } else {
+    if (!have_weights_) laplacian_.swap_weights(a);    // built in the memory of a
+    laplacian();
+    laplacian_.swap_weights(a);
+    have_weights_ = false;
+  }
+}
+
+const LaplacianWeights &Discretization::laplacian_rows()
+{
+  return have_laplacian_ ? laplacian_ : laplacian();
 }
 
 }    // namespace aleisph

@@ -41,6 +41,12 @@ class Discretization {
   const GradientWeights &gradient();
   // rows of particles that are on the surface when it is first asked for are those of Morris
   const LaplacianWeights &laplacian();
+  // The pair array of the Laplacian's weights, into a; only fluid rows are written. keep: a copy, as
+  // others use them, too. Else they are built in the memory of a, and laplacian() would build them
+  // again.
+  void laplacian_weights(bool keep, std::vector<double> &a);
+  // what is known of its rows besides their weights; does not build it anew
+  const LaplacianWeights &laplacian_rows();
   double floor() const { return floor_; }
 
   // table of SeenRoles, of the roles there are when it is first asked for after update() or
@@ -68,7 +74,8 @@ class Discretization {
   Stencil stencil_;
   GradientWeights gradient_;
   LaplacianWeights laplacian_;
-  bool have_gradient_ = false, have_laplacian_ = false, have_seen_ = false;
+  bool have_gradient_ = false, have_laplacian_ = false, have_weights_ = false;
+  bool have_seen_ = false;
   std::vector<Role> seen_;
   Rows fluid_, wall_, buffer_, all_;
   BuildCounts counts_;

@@ -158,7 +158,7 @@ void LaplacianWeights::build(const Stencil &s, const GradientWeights &g, const R
                              const Kernel &kernel, double d, const LaplacianLimits &limits,
                              const Role *role)
 {
-  a_.assign(s.pairs(), 0.0);
+  a_.resize(s.pairs());
   diagonal_.assign(s.rows(), 0.0);
   condition_.assign(s.rows(), 0.0);
   morris_.assign(s.rows(), 0);

@@ -86,13 +86,15 @@ struct MorrisCount {
 
 class LaplacianWeights {
  public:
-  // builds the rows listed; all other rows are zero. kernel: the one of the
+  // builds the rows listed; a() of other rows is not written. kernel: the one of the
   // stencil (Morris' eta h^2, value on the full lattice), d: particle spacing;
   // role: read for SURFACE, may be null.
   void build(const Stencil &s, const GradientWeights &g, const Rows &rows, const Kernel &kernel,
              double d, const LaplacianLimits &limits, const Role *role = nullptr);
 
   const double *a() const { return a_.data(); }            // pair array [1/length^2]
+  // exchanges the pair array of a() for another one, whose memory the next build uses
+  void swap_weights(std::vector<double> &a) { a_.swap(a); }
   double diagonal(int i) const { return diagonal_[i]; }    // sum_j a_ij, < 0 for a good row
   // of the B system; 0 if never built. Where the cheap Frobenius bound |G||G^-1| (up to 6
   // times the 2-norm value) is within max_cond, that bound; else the 2-norm value.

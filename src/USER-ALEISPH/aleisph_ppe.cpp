@@ -5,14 +5,15 @@
 #include "aleisph_vectors.h"
 
 #include <cmath>
+#include <utility>
 
 namespace aleisph {
 namespace {
 
-// the off-diagonal entries of row i of -d^2 lap
-void fluid_row(const Stencil &s, const LaplacianWeights &l, int i, double d, CsrMatrix &A)
+// the off-diagonal entries of row i of -d^2 lap, where A has those of -lap
+void fluid_row(const Stencil &s, int i, double d, CsrMatrix &A)
 {
-  for (int k = s.begin(i); k < s.end(i); k++) A.val(k) = d * d * l.a()[k];
+  for (int k = s.begin(i); k < s.end(i); k++) A.val(k) *= d * d;
 }
 
 // of length n.grad: -d for a wall; the offset of a free surface, a row that p_i is added to
@@ -74,21 +75,23 @@ void count(RowType type, PpeRows &rows)
 
 }    // namespace
 
-PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const LaplacianWeights &l,
+PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<double> &&laplacian,
                      const Role *role, const double *normal, double d, CsrMatrix &A,
                      std::vector<RowType> &type, const PpeOptions &options)
 {
   PpeRows rows;
-  A.reset(s.rows(), s.ptr(), s.col());
+  A.reset(s.rows(), s.ptr(), s.col(), std::move(laplacian));
   type.resize(s.rows());
   for (int i = 0; i < s.rows(); i++) {
     type[i] = wanted_type(role[i]);
-    if (type[i] == RowType::FLUID) fluid_row(s, l, i, d, A);
+    if (type[i] == RowType::FLUID) fluid_row(s, i, d, A);
     if (type[i] == RowType::WALL) normal_row(s, g, normal, i, -d, A);
     if (type[i] == RowType::SURFACE)
       normal_row(s, g, normal, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
 
-    const double diagonal = zero_sum_diagonal(A, i);
+    const bool derivative = type[i] == RowType::FLUID || type[i] == RowType::WALL ||
+        type[i] == RowType::SURFACE;
+    const double diagonal = derivative ? zero_sum_diagonal(A, i) : 0.0;
     if (type[i] == RowType::SURFACE && diagonal > 0.0)
       A.diag(i) = 1.0 + diagonal;
     else if (type[i] == RowType::FLUID || type[i] == RowType::WALL)

@@ -40,8 +40,9 @@ struct PpeOptions {
 constexpr double MIN_WALL_DIAGONAL = 0.1;
 
 // role: owned and ghost; normal: 3 doubles per particle, read on wall and surface rows.
+// laplacian: pair array of a_ij of the fluid rows; its memory becomes that of the matrix.
 // type: one entry per owned row, written.
-PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const LaplacianWeights &l,
+PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<double> &&laplacian,
                      const Role *role, const double *normal, double d, CsrMatrix &A,
                      std::vector<RowType> &type, const PpeOptions &options = PpeOptions());
 

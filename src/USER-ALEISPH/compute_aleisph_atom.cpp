@@ -131,7 +131,7 @@ double ComputeAleisphAtom::value(Field field, int i)
   switch (field) {
     case Field::P: return owner_->pressure()[i];
     case Field::LAMBDA: return disc.gradient().lambda(i);
-    case Field::COND: return disc.laplacian().condition(i);
+    case Field::COND: return disc.laplacian_rows().condition(i);
     case Field::NX: return owner_->normal()[3 * i];
     case Field::NY: return owner_->normal()[3 * i + 1];
     case Field::NZ: return owner_->normal()[3 * i + 2];

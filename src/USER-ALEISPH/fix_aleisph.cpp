@@ -534,7 +534,7 @@ double FixAleisph::compute_vector(int n)
     case 1: return sum(disc.wall().size());
     case 2: return sum(tally_.dirichlet_rows);
     case 3: return sum(disc.buffer().size());
-    case 4: return sum(discretization_->laplacian().morris_count().total());
+    case 4: return sum(discretization_->laplacian_rows().morris_count().total());
     case 5: return sum(tally_.singular_rows);
     case 6: return counts.stencil;
     case 7: return counts.gradient;
@@ -583,7 +583,7 @@ void FixAleisph::report_timing()
                       counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
-  const long morris = counts.laplacian ? sum(discretization_->laplacian().morris_count().total())
+  const long morris = counts.laplacian ? sum(discretization_->laplacian_rows().morris_count().total())
                                        : 0;
   const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
   if (morris || singular || pivots)

@@ -181,7 +181,7 @@ void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
   const int rows = aleisph::correct_self_term(
       disc.stencil(), disc.gradient(), disc.fluid(), owner_->role(), owner_->normal(),
       inverse_.data(), disc.volume(), disc.spacing(), aleisph::SelfTermParams(), p, grad,
-      &disc.laplacian());
+      &disc.laplacian_rows());
   record(SELFTERM, rows, gradient_energy(work_, grad));
 }
 

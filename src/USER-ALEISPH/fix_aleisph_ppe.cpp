@@ -156,11 +156,13 @@ void FixAleisphPPE::assemble()
 {
   auto &disc = owner_->discretization();
   const auto &gradient = disc.gradient();
-  const auto &laplacian = disc.laplacian();
+  // with viscosity the weights serve the predictor, too
+  std::vector<double> laplacian = matrix_.release();
+  disc.laplacian_weights(owner_->viscosity() > 0.0, laplacian);
   aleisph::PpeRows rows;
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
-    rows = aleisph::assemble_ppe(disc.stencil(), gradient, laplacian, owner_->role(),
+    rows = aleisph::assemble_ppe(disc.stencil(), gradient, std::move(laplacian), owner_->role(),
                                  owner_->normal(), disc.spacing(), matrix_, owner_->row_types(),
                                  options());
   }

@@ -29,6 +29,12 @@ constexpr double H = 1.2 * D;
 // the limits switched off: every row is the corrected one, unless its moments are singular
 aleisph::LaplacianLimits no_limits();
 
+// the pair array of the Laplacian
+inline std::vector<double> weights(const aleisph::LaplacianWeights &l, const aleisph::Stencil &s)
+{
+  return std::vector<double>(l.a(), l.a() + s.pairs());
+}
+
 // the (2n+1)^dim points of the lattice of spacing d around the origin, the origin first,
 // the others by increasing distance; z = 0 in 2d
 Points lattice(int dim, int n, double d);

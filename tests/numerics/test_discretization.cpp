@@ -78,6 +78,60 @@ TEST(Discretization, BuildsOnceAndOnlyWhatIsAskedFor)
   EXPECT_GT(disc.bytes(), 0.0);
 }
 
+// The matrix may take the memory of the weights; who asks for them later gets the same ones.
+TEST(Discretization, LaplacianWeightsAreCopiedOrGivenAway)
+{
+  Timers timers;
+  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  const Patch patch;
+  patch.update(disc);
+  std::vector<double> copy, taken;
+  disc.laplacian_weights(true, copy);
+  ASSERT_EQ(static_cast<int>(copy.size()), disc.stencil().pairs());
+  for (int k = 0; k < disc.stencil().pairs(); k++) EXPECT_EQ(copy[k], disc.laplacian().a()[k]);
+  EXPECT_EQ(disc.counts().laplacian, 1);
+
+  disc.laplacian_weights(false, taken);
+  EXPECT_EQ(taken, copy);
+  const double diagonal = disc.laplacian_rows().diagonal(12);
+  EXPECT_LT(diagonal, 0.0);
+  EXPECT_EQ(disc.counts().laplacian, 1);
+  for (int k = 0; k < disc.stencil().pairs(); k++) EXPECT_EQ(copy[k], disc.laplacian().a()[k]);
+  EXPECT_EQ(disc.counts().laplacian, 2);
+
+  patch.update(disc);
+  const double *const memory = taken.data();
+  disc.laplacian_weights(false, taken);
+  EXPECT_EQ(taken, copy);
+  patch.update(disc);
+  disc.laplacian_weights(false, taken);
+  EXPECT_EQ(taken.data(), memory) << "not built in the memory given";
+}
+
+TEST(Discretization, RolesSeenAreThoseOfTheNeighbours)
+{
+  Timers timers;
+  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  Patch patch;
+  patch.role[0] = WALL;
+  patch.update(disc);
+  const auto expect = [&] {
+    const Stencil &s = disc.stencil();
+    for (int i = 0; i < Patch::N; i++) {
+      Role expected = 0;
+      for (int k = s.begin(i); k < s.end(i); k++) expected |= patch.role[s.col()[k]];
+      EXPECT_EQ(disc.seen()[i], expected) << i;
+      for (Role wanted : {WALL, SURFACE, FLUID})
+        EXPECT_EQ(SeenRoles(s, patch.role.data()).any(i, wanted), (expected & wanted) != 0);
+    }
+  };
+  expect();
+  EXPECT_EQ(disc.seen()[Patch::N - 1] & WALL, 0u);
+  patch.role[Patch::N - 1] |= SURFACE;
+  disc.roles_changed();
+  expect();
+}
+
 TEST(Timers, InnerScopeIsNotCountedInTheOuterOne)
 {
   using Clock = std::chrono::steady_clock;

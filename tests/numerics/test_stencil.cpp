@@ -166,6 +166,41 @@ TEST(Stencil, CanBeRebuilt)
     }
 }
 
+// the memory of the last build may be too small, too large, or fit
+TEST(Stencil, ADifferentCloudInTheSameMemory)
+{
+  const Kernel kernel(KernelType::CUBIC_SPLINE, 2, 1.2);
+  Points jittered = lattice(2, 4, 1.0);
+  jitter(jittered, 2, 0.1, 5);
+  Stencil s;
+  for (const Points &points : {lattice(2, 3, 1.0), lattice(2, 6, 1.0), jittered, lattice(2, 1, 1.0)}) {
+    const int n = static_cast<int>(points.size());
+    const Cloud cloud(points, n, 3.0);
+    s.build(kernel, n, cloud.x(), cloud.list());
+    expect_same(s, cloud, kernel);
+  }
+}
+
+TEST(Stencil, ColumnsOfPeriodicImagesAreThoseOfTheParticle)
+{
+  const Kernel kernel(KernelType::CUBIC_SPLINE, 2, 1.2);
+  const Points points = lattice(2, 3, 1.0);
+  const int n = static_cast<int>(points.size()), owned = 20;
+  const Cloud cloud(points, owned, 3.0);
+  std::vector<int> canonical(n);
+  for (int j = 0; j < n; j++) canonical[j] = j < owned ? j : j % owned;
+  CandidateList list = cloud.list();
+  list.canonical = canonical.data();
+  Stencil plain, folded;
+  plain.build(kernel, owned, cloud.x(), cloud.list());
+  folded.build(kernel, owned, cloud.x(), list);
+  ASSERT_EQ(folded.pairs(), plain.pairs());
+  for (int k = 0; k < plain.pairs(); k++) {
+    EXPECT_EQ(folded.col()[k], canonical[plain.col()[k]]);
+    EXPECT_EQ(folded.e(1)[k], plain.e(1)[k]);
+  }
+}
+
 TEST(Stencil, NoParticles)
 {
   Stencil s;
@@ -180,8 +215,8 @@ TEST(Stencil, BytesCoverTheArrays)
   const Kernel kernel(KernelType::CUBIC_SPLINE, 3, 1.2);
   const Cloud cloud(points, 100, kernel.support());
   const Stencil s = build(kernel, cloud);
-  // per pair an int and five doubles (r, dw, e), per row an int; thanks to the count
-  // pass the arrays do not grow by doubling
+  // per pair an int and five doubles (r, dw, e), per row an int; the arrays are made to fit and
+  // do not grow by doubling
   const double needed = 44.0 * s.pairs() + 4.0 * (s.rows() + 1);
   EXPECT_GE(s.bytes(), needed);
   EXPECT_LT(s.bytes(), 1.1 * needed);
