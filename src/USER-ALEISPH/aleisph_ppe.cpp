@@ -35,15 +35,6 @@ void surface_row(const Stencil &s, const GradientWeights &g, const double *n_i, 
   }
 }
 
-// The row of a derivative has zero sum: a constant pressure has no effect. Summed as
-// CsrMatrix::multiply does, the product with a constant is zero to the last bit.
-double zero_sum_diagonal(const CsrMatrix &A, int i)
-{
-  double sum = 0.0;
-  for (int k = A.begin(i); k < A.end(i); k++) sum += A.val(k);
-  return -sum;
-}
-
 void identity_row(CsrMatrix &A, int i)
 {
   for (int k = A.begin(i); k < A.end(i); k++) A.val(k) = 0.0;
@@ -100,7 +91,8 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, const Laplacian
     if (type[i] == RowType::SURFACE)
       surface_row(s, g, normal + 3 * i, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
 
-    const double diagonal = zero_sum_diagonal(A, i);
+    // the row of a derivative has zero sum: a constant pressure has no effect, to the last bit
+    const double diagonal = -A.row_sum(i);
     if (type[i] == RowType::SURFACE && diagonal > 0.0)
       A.diag(i) = 1.0 + diagonal;
     else if (type[i] == RowType::FLUID || type[i] == RowType::WALL)
