@@ -6,6 +6,33 @@
 
 namespace aleisph {
 
+void RowRuns::add(int row)
+{
+  if (!runs_.empty() && runs_.back().end == row)
+    runs_.back().end++;
+  else
+    runs_.push_back({row, row + 1});
+}
+
+int RowRuns::rows() const
+{
+  int n = 0;
+  for (const Run &run : runs_) n += run.end - run.begin;
+  return n;
+}
+
+RowSplit split_rows(int rows, const int *ptr, const int *col, const std::vector<char> &awaited)
+{
+  RowSplit split;
+  for (int i = 0; i < rows; i++) {
+    bool waits = false;
+    for (int k = ptr[i]; k < ptr[i + 1] && !waits; k++)
+      waits = col[k] >= rows && awaited[col[k] - rows];
+    (waits ? split.boundary : split.interior).add(i);
+  }
+  return split;
+}
+
 void CsrMatrix::reset(int rows, const int *ptr, const int *col)
 {
   rows_ = rows;
@@ -36,15 +63,34 @@ double CsrMatrix::bytes() const
   return static_cast<double>(val_.capacity() + diag_.capacity()) * sizeof(double);
 }
 
-// The diagonal is added last: where diag is minus the sum of val in this order, a constant x
-// gives exactly zero.
-void CsrMatrix::multiply(const double *x, double *y) const
+// Four sums, so that an addition need not wait for the one before
+double CsrMatrix::row_sum(int i) const
 {
-  for (int i = 0; i < rows_; i++) {
-    double sum = 0.0;
-    for (int k = ptr_[i]; k < ptr_[i + 1]; k++) sum += val_[k] * x[col_[k]];
-    y[i] = sum + diag_[i] * x[i];
+  double part[4] = {0.0, 0.0, 0.0, 0.0};
+  int k = ptr_[i];
+  for (; k + 4 <= ptr_[i + 1]; k += 4)
+    for (int lane = 0; lane < 4; lane++) part[lane] += val_[k + lane];
+  for (; k < ptr_[i + 1]; k++) part[0] += val_[k];
+  return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+// As row_sum() does, and the diagonal last
+void CsrMatrix::multiply(int first, int last, const double *x, double *y) const
+{
+  const double *const val = val_.data();
+  for (int i = first; i < last; i++) {
+    double part[4] = {0.0, 0.0, 0.0, 0.0};
+    int k = ptr_[i];
+    for (const int end = ptr_[i + 1]; k + 4 <= end; k += 4)
+      for (int lane = 0; lane < 4; lane++) part[lane] += val[k + lane] * x[col_[k + lane]];
+    for (const int end = ptr_[i + 1]; k < end; k++) part[0] += val[k] * x[col_[k]];
+    y[i] = ((part[0] + part[1]) + (part[2] + part[3])) + diag_[i] * x[i];
   }
+}
+
+void CsrMatrix::multiply(const RowRuns &subset, const double *x, double *y) const
+{
+  for (const RowRuns::Run &run : subset.runs()) multiply(run.begin, run.end, x, y);
 }
 
 }    // namespace aleisph

@@ -13,6 +13,30 @@
 
 namespace aleisph {
 
+// Rows in ascending order, as runs of consecutive ones
+class RowRuns {
+ public:
+  void clear() { runs_.clear(); }
+  void add(int row);
+  int rows() const;
+
+  struct Run {
+    int begin, end;
+  };
+  const std::vector<Run> &runs() const { return runs_; }
+
+ private:
+  std::vector<Run> runs_;
+};
+
+// Rows whose columns are all at hand, and those with a column that is still on its way
+struct RowSplit {
+  RowRuns interior, boundary;
+};
+
+// awaited: one entry per column from `rows` on, not zero if it is on its way
+RowSplit split_rows(int rows, const int *ptr, const int *col, const std::vector<char> &awaited);
+
 class CsrMatrix {
  public:
   // resizes and zeroes val and diag for this pattern
@@ -32,10 +56,18 @@ class CsrMatrix {
   double &diag(int i) { return diag_[i]; }
   double bytes() const;
 
+  // the sum of val in row i in the order of multiply(): where diag is minus this sum, a constant
+  // x gives exactly zero
+  double row_sum(int i) const;
+
   // x must be valid on all columns; y has rows() entries and is not x
-  void multiply(const double *x, double *y) const;
+  void multiply(const double *x, double *y) const { multiply(0, rows_, x, y); }
+  // these rows only; each is summed as multiply() of all does
+  void multiply(const RowRuns &subset, const double *x, double *y) const;
 
  private:
+  void multiply(int begin, int end, const double *x, double *y) const;
+
   int rows_ = 0;
   const int *ptr_ = nullptr, *col_ = nullptr;
   std::vector<double> val_, diag_;

@@ -4,7 +4,8 @@
    SPDX-License-Identifier: GPL-2.0-only
 
    A matrix of owned rows as a linear operator over all ranks: one halo
-   exchange of one value per particle, then the local product.
+   exchange of one value per particle, and meanwhile the rows that need
+   nothing of it. The matrix must have the pattern of the present stencil.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_HALO_OPERATOR_H
@@ -26,8 +27,11 @@ class AleisphHaloOperator : public aleisph::LinearOperator {
   int columns() const override { return owner_.nall(); }
   void apply(double *x, double *y) override
   {
-    owner_.forward(x, 1);
-    matrix_.multiply(x, y);
+    const aleisph::RowSplit &split = owner_.row_split();
+    owner_.start_halo(x);
+    matrix_.multiply(split.interior, x, y);
+    owner_.finish_halo(x);
+    matrix_.multiply(split.boundary, x, y);
   }
 
  private:

@@ -3,14 +3,21 @@
    Names as in van der Vorst (1992): r residual, r0 shadow residual, p, v
    = A M p, t = A M s; s overwrites r, y = M p, z = M s.
 
+   Two reductions an iteration: with r0.t and r0.s summed beside t.s, t.t
+   and s.s, r = s - omega t has r.r = s.s - omega t.s and r0.r = r0.s -
+   omega r0.t. Where these cancel, they are summed from r itself.
+
    remove_mean: A has a constant right null vector, its left null vector is
    not constant. P = 1 - mean projects b and every product, so that P A x =
    P b is solved among vectors of zero mean, where it has a solution for
    any b. The mean of a product is summed together with its dot products,
-   which are corrected for it; r, r0 and p have no mean.
+   which are corrected for it, and subtracted where the product is used; r,
+   r0 and p have no mean.
 ------------------------------------------------------------------------- */
 
 #include "aleisph_krylov.h"
+
+#include "aleisph_krylov_loops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +27,8 @@ namespace aleisph {
 namespace {
 
 constexpr double EPS = std::numeric_limits<double>::epsilon();
+// A difference of sums this small against its terms has lost half of its digits
+constexpr double CANCELS = 1.0e-8;
 
 // A dot product this small against the lengths of its factors is rounding error.
 bool vanishes(double dot, double length_a, double length_b)
@@ -54,12 +63,13 @@ class BiCGStab::Run {
   bool load_rhs(const double *b);
   bool stuck(Exit exit, double norm);
   SolveReport finish(SolveStatus status, double norm);
-  double subtract_mean(double *v);
+  double subtract_mean(double *v, double *square = nullptr);
   double true_residual();
 
   Exit cycle(double norm);
   Exit bicg_step(bool first);
   Exit stabilize();
+  void recompute(double omega, double t_mean, double &r_r, double &rho);
   double turn_shadow(double v_length);
 
   LinearOperator &A_;
@@ -73,7 +83,7 @@ class BiCGStab::Run {
   SolveReport report_;
   double n_global_ = 0.0, target_ = 0.0, best_norm_ = 0.0, cycle_norm_ = 0.0;
   int idle_ = 0;
-  double rho_ = 0.0, alpha_ = 0.0, r0_length_ = 0.0;
+  double rho_ = 0.0, alpha_ = 0.0, v_mean_ = 0.0, r0_length_ = 0.0;
 };
 
 BiCGStab::Run::Run(BiCGStab &w, LinearOperator &A, Preconditioner &M, const InnerProduct &ip,
@@ -126,25 +136,21 @@ SolveReport BiCGStab::Run::solve(const double *b)
 // b_ = b, or P b; true if nothing but rounding error is left of it
 bool BiCGStab::Run::load_rhs(const double *b)
 {
-  double sums[3] = {static_cast<double>(n_), 0.0, 0.0};
-  for (int i = 0; i < n_; i++) {
-    b_[i] = b[i];
-    sums[1] += b[i];
-    sums[2] += b[i] * b[i];
-  }
+  double sums[3];
+  product_sums(n_, b, b, sums);
+  sums[0] = n_;
   ip_.sum(3, sums);
   n_global_ = std::max(sums[0], 1.0);
-  report_.rhs_norm = std::sqrt(sums[2]);
-  report_.rhs_mean = sums[1] / n_global_;
-  if (!params_.remove_mean || !std::isfinite(sums[2])) return sums[2] == 0.0;
+  report_.rhs_norm = std::sqrt(sums[1]);
+  report_.rhs_mean = sums[2] / n_global_;
+  std::copy(b, b + n_, b_.begin());
+  if (!params_.remove_mean || !std::isfinite(sums[1])) return sums[1] == 0.0;
 
   // twice, as the first mean has the rounding error of a long sum
-  const double mean = subtract_mean(b_.data());
-  report_.rhs_mean = mean + subtract_mean(b_.data());
-  double square = 0.0;
-  for (int i = 0; i < n_; i++) square += b_[i] * b_[i];
-  ip_.sum(1, &square);
+  for (double &value : b_) value -= report_.rhs_mean;
   const double raw_norm = report_.rhs_norm;
+  double square;
+  report_.rhs_mean += subtract_mean(b_.data(), &square);
   report_.rhs_norm = std::sqrt(square);
   return report_.rhs_norm <= 2.0 * EPS * raw_norm;
 }
@@ -169,15 +175,23 @@ SolveReport BiCGStab::Run::finish(SolveStatus status, double norm)
   return report_;
 }
 
-// from the owned entries; returns the mean. A NaN stays where it is.
-double BiCGStab::Run::subtract_mean(double *v)
+// From the owned entries; returns the mean, and what is left of v.v. A NaN stays where it is.
+double BiCGStab::Run::subtract_mean(double *v, double *square)
 {
-  double mean = 0.0;
-  for (int i = 0; i < n_; i++) mean += v[i];
-  ip_.sum(1, &mean);
-  mean /= n_global_;
+  double sums[3];
+  product_sums(n_, v, v, sums);
+  ip_.sum(3, sums);
+  const double mean = sums[2] / n_global_;
   if (std::isfinite(mean))
     for (int i = 0; i < n_; i++) v[i] -= mean;
+  if (!square) return mean;
+
+  *square = sums[1] - n_global_ * mean * mean;
+  if (*square < 0.5 * sums[1]) {
+    product_sums(n_, v, v, sums);
+    ip_.sum(3, sums);
+    *square = sums[1];
+  }
   return mean;
 }
 
@@ -187,11 +201,14 @@ double BiCGStab::Run::true_residual()
   if (params_.remove_mean) subtract_mean(x_);
   A_.apply(x_, r_.data());
   for (int i = 0; i < n_; i++) r_[i] = b_[i] - r_[i];
-  if (params_.remove_mean) subtract_mean(r_.data());
-  double square = 0.0;
-  for (int i = 0; i < n_; i++) square += r_[i] * r_[i];
-  ip_.sum(1, &square);
-  return std::sqrt(square);
+  double square, sums[3];
+  if (params_.remove_mean) {
+    subtract_mean(r_.data(), &square);
+    return std::sqrt(square);
+  }
+  product_sums(n_, r_.data(), r_.data(), sums);
+  ip_.sum(3, sums);
+  return std::sqrt(sums[1]);
 }
 
 // iterations from the true residual r of this norm, with r as shadow residual
@@ -216,17 +233,12 @@ BiCGStab::Run::Exit BiCGStab::Run::bicg_step(bool first)
 {
   M_.apply(p_.data(), y_.data());
   A_.apply(y_.data(), v_.data());
-  double sums[3] = {0.0, 0.0, 0.0};
-  for (int i = 0; i < n_; i++) {
-    sums[0] += r0_[i] * v_[i];
-    sums[1] += v_[i] * v_[i];
-    sums[2] += v_[i];
-  }
+  double sums[3];
+  product_sums(n_, r0_.data(), v_.data(), sums);
   ip_.sum(3, sums);
   if (!std::isfinite(sums[1])) return Exit::NOT_FINITE;
-  const double mean = params_.remove_mean ? sums[2] / n_global_ : 0.0;
-  const double v_length = std::sqrt(std::max(sums[1] - n_global_ * mean * mean, 0.0));
-  for (int i = 0; i < n_; i++) v_[i] -= mean;
+  v_mean_ = params_.remove_mean ? sums[2] / n_global_ : 0.0;
+  const double v_length = std::sqrt(std::max(sums[1] - n_global_ * v_mean_ * v_mean_, 0.0));
 
   double r0_v = sums[0];
   if (vanishes(r0_v, r0_length_, v_length)) {
@@ -234,7 +246,7 @@ BiCGStab::Run::Exit BiCGStab::Run::bicg_step(bool first)
     r0_v = turn_shadow(v_length);
   }
   alpha_ = rho_ / r0_v;
-  for (int i = 0; i < n_; i++) r_[i] -= alpha_ * v_[i];
+  half_step(n_, alpha_, v_.data(), v_mean_, r_.data());
   return Exit::NONE;
 }
 
@@ -242,52 +254,64 @@ BiCGStab::Run::Exit BiCGStab::Run::bicg_step(bool first)
 // any: it makes an angle of 45 degrees with both r and v. Returns the new r0.v.
 double BiCGStab::Run::turn_shadow(double v_length)
 {
-  const double r_length = r0_length_, factor = r_length / v_length;
-  for (int i = 0; i < n_; i++) r0_[i] += factor * v_[i];
+  const double r_length = r0_length_;
+  half_step(n_, -r_length / v_length, v_.data(), v_mean_, r0_.data());
   r0_length_ = std::sqrt(2.0) * r_length;    // rho = r0.r stays |r|^2
   return r_length * v_length;
 }
 
-// t = A M s, omega = (t.s)/(t.t), x += alpha y + omega z, r = s - omega t, then the next p
+// t = A M s, omega = (t.s)/(t.t), then the next x, r and p
 BiCGStab::Run::Exit BiCGStab::Run::stabilize()
 {
   M_.apply(r_.data(), z_.data());
   A_.apply(z_.data(), t_.data());
-  double sums[4] = {0.0, 0.0, 0.0, 0.0};
-  for (int i = 0; i < n_; i++) {
-    sums[0] += t_[i] * r_[i];
-    sums[1] += t_[i] * t_[i];
-    sums[2] += r_[i] * r_[i];
-    sums[3] += t_[i];
-  }
-  ip_.sum(4, sums);
-  if (!std::isfinite(sums[1] + sums[2])) return Exit::NOT_FINITE;
-  const double mean = params_.remove_mean ? sums[3] / n_global_ : 0.0;
-  const double t_t = sums[1] - n_global_ * mean * mean, s_length = std::sqrt(sums[2]);
+  double sums[6];
+  stabilizer_sums(n_, t_.data(), r_.data(), r0_.data(), sums);
+  ip_.sum(6, sums);
+  const double t_s = sums[0], s_s = sums[2], s_length = std::sqrt(s_s);
+  if (!std::isfinite(sums[1] + s_s)) return Exit::NOT_FINITE;
+  const double t_mean = params_.remove_mean ? sums[3] / n_global_ : 0.0;
+  const double t_t = sums[1] - n_global_ * t_mean * t_mean;
   if (s_length <= target_ || t_t <= 0.0) {
-    for (int i = 0; i < n_; i++) x_[i] += alpha_ * y_[i];
+    advance(n_, alpha_, y_.data(), 0.0, z_.data(), x_);
     return s_length <= target_ ? Exit::CONVERGED : Exit::BREAKDOWN;
   }
 
-  const double t_s = sums[0], omega = t_s / t_t;
-  double next[2] = {0.0, 0.0};
-  for (int i = 0; i < n_; i++) {
-    x_[i] += alpha_ * y_[i] + omega * z_[i];
-    r_[i] -= omega * (t_[i] - mean);
-    next[0] += r_[i] * r_[i];
-    next[1] += r0_[i] * r_[i];
-  }
-  ip_.sum(2, next);
-  const double r_length = std::sqrt(next[0]);
+  const double omega = t_s / t_t;
+  double r_r = s_s - omega * t_s, rho = sums[5] - omega * sums[4];
+  const double terms = s_length + std::fabs(omega) * std::sqrt(sums[1]);
+  const bool cancelled = !(r_r > CANCELS * terms * terms) ||
+      !(std::fabs(rho) > CANCELS * r0_length_ * terms);
+  if (cancelled) recompute(omega, t_mean, r_r, rho);
+  const double r_length = std::sqrt(r_r);
   if (!std::isfinite(r_length)) return Exit::NOT_FINITE;
-  if (r_length <= target_) return Exit::CONVERGED;
-  if (vanishes(t_s, std::sqrt(t_t), s_length)) return Exit::BREAKDOWN;
-  if (vanishes(next[1], r0_length_, r_length)) return Exit::BREAKDOWN;
 
-  const double beta = next[1] / rho_ * (alpha_ / omega);
-  rho_ = next[1];
-  for (int i = 0; i < n_; i++) p_[i] = r_[i] + beta * (p_[i] - omega * v_[i]);
+  const bool converged = r_length <= target_;
+  if (converged || vanishes(t_s, std::sqrt(t_t), s_length) || vanishes(rho, r0_length_, r_length)) {
+    advance(n_, alpha_, y_.data(), omega, z_.data(), x_);
+    return converged ? Exit::CONVERGED : Exit::BREAKDOWN;
+  }
+  const double beta = rho / rho_ * (alpha_ / omega);
+  rho_ = rho;
+  full_step(n_, {alpha_, omega, beta, v_mean_, t_mean}, y_.data(), z_.data(), t_.data(), v_.data(),
+            x_, r_.data(), p_.data());
   return Exit::NONE;
+}
+
+// r.r and r0.r of r = s - omega t, which the full step makes again
+void BiCGStab::Run::recompute(double omega, double t_mean, double &r_r, double &rho)
+{
+  double sums[2];
+  const double *t = t_.data(), *s = r_.data(), *r0 = r0_.data();
+  sum_terms<2>(n_, sums, [=](std::size_t i, double *term) {
+    const double r = s[i] - omega * (t[i] - t_mean);
+    term[0] = r * r;
+    term[1] = r0[i] * r;
+  });
+  ip_.sum(2, sums);
+  r_r = sums[0];
+  rho = sums[1];
+  report_.recomputed++;
 }
 
 SolveReport BiCGStab::solve(LinearOperator &A, Preconditioner &M, const InnerProduct &ip,

@@ -53,6 +53,7 @@ struct SolveReport {
   SolveStatus status = SolveStatus::CONVERGED;
   int iterations = 0;
   int restarts = 0;
+  int recomputed = 0;               // iterations whose sums cancelled: one reduction more
   double rhs_norm = 0.0;            // |b| after remove_mean
   double rhs_mean = 0.0;            // what remove_mean took from b, else the mean of b
   double initial_residual = 0.0;    // |b - A x0|
@@ -64,8 +65,8 @@ struct SolveReport {
 // columns() entries, valid on ghosts too if A's halo exchange is; b: rows()
 // entries. All branches are taken on globally summed numbers, so that all
 // ranks leave together. A solve that fails returns the best x it knows the
-// true residual of. Three reductions an iteration. Work vectors are kept
-// between calls.
+// true residual of. Two reductions an iteration, three where sums cancel.
+// Work vectors are kept between calls.
 class BiCGStab {
  public:
   SolveReport solve(LinearOperator &A, Preconditioner &M, const InnerProduct &ip, const double *b,

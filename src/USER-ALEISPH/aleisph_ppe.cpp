@@ -24,15 +24,6 @@ void normal_row(const Stencil &s, const GradientWeights &g, const double *normal
   for (int k = s.begin(i); k < s.end(i); k++) A.val(k) = s.dw()[k] * n_L.dot(direction(s, k));
 }
 
-// The row of a derivative has zero sum: a constant pressure has no effect. Summed as
-// CsrMatrix::multiply does, the product with a constant is zero to the last bit.
-double zero_sum_diagonal(const CsrMatrix &A, int i)
-{
-  double sum = 0.0;
-  for (int k = A.begin(i); k < A.end(i); k++) sum += A.val(k);
-  return -sum;
-}
-
 void identity_row(CsrMatrix &A, int i)
 {
   for (int k = A.begin(i); k < A.end(i); k++) A.val(k) = 0.0;
@@ -91,7 +82,8 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<dou
 
     const bool derivative = type[i] == RowType::FLUID || type[i] == RowType::WALL ||
         type[i] == RowType::SURFACE;
-    const double diagonal = derivative ? zero_sum_diagonal(A, i) : 0.0;
+    // the row of a derivative has zero sum: a constant pressure has no effect, to the last bit
+    const double diagonal = derivative ? -A.row_sum(i) : 0.0;
     if (type[i] == RowType::SURFACE && diagonal > 0.0)
       A.diag(i) = 1.0 + diagonal;
     else if (type[i] == RowType::FLUID || type[i] == RowType::WALL)

@@ -41,16 +41,21 @@ constexpr double MASS_TOLERANCE = 1.0e-6;
 
 class MpiInnerProduct : public aleisph::InnerProduct {
  public:
-  MpiInnerProduct(MPI_Comm comm, aleisph::Timers &timers) : comm_(comm), timers_(timers) {}
+  MpiInnerProduct(MPI_Comm comm, aleisph::Timers &timers, AleisphTraffic &traffic) :
+      comm_(comm), timers_(timers), traffic_(traffic)
+  {
+  }
   void sum(int n, double *values) const override
   {
     aleisph::Timers::Scope scope(timers_, Part::COMM);
+    traffic_.reductions++;
     MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, comm_);
   }
 
  private:
   MPI_Comm comm_;
   aleisph::Timers &timers_;
+  AleisphTraffic &traffic_;
 };
 
 // position of a style in the order that a script must follow, -1 if not one of ours
@@ -74,7 +79,8 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
     list_(nullptr), pressure_guard_(nullptr), velocity_guard_(nullptr), tension_(nullptr), nu_(0.0),
     reach_(0.0), moving_(false), adaptive_(false), pressure_valid_(false), walls_located_(false),
-    ndry_(0), own_cutoff_(0.0), version_(0), halo_field_(nullptr), halo_ncomp_(0)
+    ndry_(0), own_cutoff_(0.0), version_(0), split_version_(-1), halo_field_(nullptr),
+    halo_ncomp_(0), packed_(nullptr)
 {
   parse(narg, arg);
 
@@ -87,7 +93,8 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 
   const aleisph::Kernel kernel(params_.kernel, domain->dimension, params_.h_over_d * spacing_);
   discretization_ = std::make_unique<aleisph::Discretization>(kernel, spacing_, timers_);
-  inner_product_ = std::make_unique<MpiInnerProduct>(world, timers_);
+  inner_product_ = std::make_unique<MpiInnerProduct>(world, timers_, traffic_);
+  halo_ = std::make_unique<aleisph::HaloExchange>(world);
 }
 
 FixAleisph::~FixAleisph()
@@ -248,9 +255,7 @@ double *FixAleisph::previous_wall_velocity()
 
 bool FixAleisph::ready() const
 {
-  int mine = version_ > 0 && discretization_->stencil().rows() == atom->nlocal, all;
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, world);
-  return all;
+  return !any(version_ == 0 || discretization_->stencil().rows() != atom->nlocal);
 }
 
 double *FixAleisph::velocity()
@@ -282,6 +287,7 @@ void FixAleisph::init()
   neighbor->add_request(this, NeighConst::REQ_FULL)
       ->set_cutoff(discretization_->kernel().support());
   timers_.reset();
+  traffic_ = AleisphTraffic();
 }
 
 void FixAleisph::init_list(int, NeighList *list)
@@ -356,26 +362,23 @@ void FixAleisph::require_reach(double reach)
 void FixAleisph::setup_pre_force(int)
 {
   check_atoms();
+  build_halo();
   rebuild();
 }
 
 void FixAleisph::pre_force(int)
 {
-  if (neighbor->ago == 0 || positions_changed()) rebuild();
+  const bool reneighbored = neighbor->ago == 0;
+  if (reneighbored) build_halo();
+  if (reneighbored || positions_changed()) rebuild();
 }
 
 bool FixAleisph::positions_changed()
 {
   if (moving_) return true;
   const std::size_t n = 3 * static_cast<std::size_t>(nall());
-  int changed = 0;
-  if (x_built_.size() != n)
-    changed = 1;
-  else if (n)
-    changed = std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0;
-  int any;
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  return any;
+  return any(x_built_.size() != n ||
+             (n && std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0));
 }
 
 void FixAleisph::rebuild()
@@ -385,7 +388,12 @@ void FixAleisph::rebuild()
   normal_.assign(3 * n, 0.0);
   vstar_.assign(3 * n, 0.0);
   row_types_.clear();
-  locate_walls();
+  restore_walls();
+  tagint found[4] = {0, 0, 0, walls_changed()};
+  wrong_roles(found);
+  reduce_max(4, found);
+  refuse_roles(found);
+  locate_walls(found[3]);
   mark_dry_walls();
   discretization_->update(atom->nlocal, atom->x, {list_->numneigh, list_->firstneigh, NEIGHMASK},
                           role_.data(), dry_rule());
@@ -396,13 +404,6 @@ void FixAleisph::rebuild()
   else
     x_built_.assign(&atom->x[0][0], &atom->x[0][0] + 3 * n);
   version_++;
-}
-
-tagint FixAleisph::largest(tagint tag) const
-{
-  tagint all;
-  MPI_Allreduce(&tag, &all, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  return all;
 }
 
 void FixAleisph::require_finite(const double *v, const std::string &caller,
@@ -425,24 +426,31 @@ void FixAleisph::assign_roles()
   for (const auto &entry : role_groups_)
     for (int i = 0; i < n; i++)
       if (mask[i] & entry.second) role_[i] |= entry.first;
+}
 
-  tagint none = 0, both = 0, open = 0;
+// the ID of an atom of this rank, if there is one, for each of three faults
+void FixAleisph::wrong_roles(tagint *atoms) const
+{
+  const int *mask = atom->mask;
   for (int i = 0; i < atom->nlocal; i++) {
     const Role r = role_[i];
-    if (!(mask[i] & groupbit) || !(r & (aleisph::FLUID | aleisph::WALL))) none = atom->tag[i];
-    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) both = atom->tag[i];
-    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) open = atom->tag[i];
+    if (!(mask[i] & groupbit) || !(r & (aleisph::FLUID | aleisph::WALL))) atoms[0] = atom->tag[i];
+    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) atoms[1] = atom->tag[i];
+    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) atoms[2] = atom->tag[i];
   }
-  if ((none = largest(none)))
+}
+
+void FixAleisph::refuse_roles(const tagint *atoms) const
+{
+  if (atoms[0])
     error->all(FLERR,
                "Fix aleisph: atom {} is neither fluid (group of fix aleisph/predictor) nor wall "
                "(group of fix aleisph/wall), or not in group {}",
-               none, group->names[igroup]);
-  if ((both = largest(both)))
-    error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", both);
-  if ((open = largest(open)))
+               atoms[0], group->names[igroup]);
+  if (atoms[1]) error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", atoms[1]);
+  if (atoms[2])
     error->all(FLERR, "Fix aleisph: buffer atom {} is not in the group of its fix aleisph/pressure",
-               open);
+               atoms[2]);
 }
 
 void FixAleisph::check_atoms()
@@ -471,28 +479,6 @@ void FixAleisph::check_atoms()
 
 /* ---------------------------------------------------------------------- */
 
-void FixAleisph::forward(double *field, int ncomp)
-{
-  aleisph::Timers::Scope scope(timers_, Part::COMM);
-  halo_field_ = field;
-  halo_ncomp_ = ncomp;
-  comm->forward_comm(this, ncomp);
-}
-
-int FixAleisph::pack_forward_comm(int n, int *list, double *buf, int, int *)
-{
-  int m = 0;
-  for (int k = 0; k < n; k++)
-    for (int a = 0; a < halo_ncomp_; a++) buf[m++] = halo_field_[halo_ncomp_ * list[k] + a];
-  return m;
-}
-
-void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
-{
-  std::memcpy(halo_field_ + static_cast<std::size_t>(halo_ncomp_) * first, buf,
-              sizeof(double) * n * halo_ncomp_);
-}
-
 void FixAleisph::complete_velocity(double *v)
 {
   if (conditions_.empty()) forward(v, 3);
@@ -516,13 +502,6 @@ void FixAleisph::restart(char *buf)
 }
 
 /* ---------------------------------------------------------------------- */
-
-long FixAleisph::sum(long value) const
-{
-  long total;
-  MPI_Allreduce(&value, &total, 1, MPI_LONG, MPI_SUM, world);
-  return total;
-}
 
 double FixAleisph::compute_vector(int n)
 {
@@ -557,6 +536,7 @@ void FixAleisph::post_run()
 {
   report_timing();
   timers_.reset();    // run ... pre no does not come through init()
+  traffic_ = AleisphTraffic();
 }
 
 void FixAleisph::report_timing()
@@ -583,6 +563,7 @@ void FixAleisph::report_timing()
                       counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
+  text += report_traffic();
   const long morris = counts.laplacian ? sum(discretization_->laplacian_rows().morris_count().total())
                                        : 0;
   const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
@@ -595,6 +576,6 @@ void FixAleisph::report_timing()
 
 double FixAleisph::memory_usage()
 {
-  return discretization_->bytes() +
+  return discretization_->bytes() + halo_->bytes() +
       sizeof(double) * (normal_.size() + shape_.size() + vstar_.size() + x_built_.size());
 }

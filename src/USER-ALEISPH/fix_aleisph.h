@@ -20,6 +20,7 @@ FixStyle(aleisph,FixAleisph);
 #include "aleisph_discretization.h"
 #include "aleisph_fluid.h"
 #include "aleisph_krylov.h"
+#include "aleisph_mpi_halo.h"
 #include "aleisph_ppe.h"
 #include "aleisph_timestep.h"
 #include "fix.h"
@@ -126,6 +127,12 @@ struct AleisphTally {
   int replaced_pivots = 0;    // of this rank, last preconditioner
 };
 
+// Communication of this rank since the start of the run, as far as it goes through the owner
+struct AleisphTraffic {
+  long reductions = 0, exchanges = 0, messages = 0;    // messages received
+  double bytes = 0.0;
+};
+
 class FixAleisph : public Fix {
  public:
   FixAleisph(class LAMMPS *, int, char **);
@@ -211,6 +218,11 @@ class FixAleisph : public Fix {
 
   // -- halo exchange of ncomp (1 or 3) doubles per particle
   void forward(double *field, int ncomp);
+  // the same of one double for linear solves, which work in between: see HaloExchange
+  void start_halo(double *field);
+  void finish_halo(double *field);
+  const aleisph::HaloExchange &halo() const { return *halo_; }    // of the present local indices
+  const aleisph::RowSplit &row_split();    // rows of the stencil; boundary: with remote columns
   // impose the velocity conditions on v, then make its ghosts valid
   void complete_velocity(double *v);
   const std::vector<AleisphVelocityCondition *> &velocity_conditions() const { return conditions_; }
@@ -226,6 +238,7 @@ class FixAleisph : public Fix {
   // an error in the caller's name if v (3 per particle) is not finite on an owned particle
   void require_finite(const double *v, const std::string &caller, const std::string &what) const;
   long sum(long value) const;                       // over all ranks
+  bool any(bool mine) const;                        // on any rank
   double *custom(const std::string &name) const;    // d2_NAME as one array, null if there is none
 
   const aleisph::InnerProduct &inner_product() const { return *inner_product_; }
@@ -246,15 +259,21 @@ class FixAleisph : public Fix {
   void check_masses() const;
   void check_atoms();
   void assign_roles();
+  void wrong_roles(tagint *atoms) const;
+  void refuse_roles(const tagint *atoms) const;
   bool positions_changed();
   void rebuild();
-  void locate_walls();
+  void build_halo();
+  void reduce_max(int n, tagint *values) const;
+  void restore_walls();
+  void locate_walls(bool changed);
   bool walls_changed();
   void find_normals();
   void mark_dry_walls();
   bool below_fluid(int i) const;
   bool dry_rule() const { return surface_.present && surface_.dry_reach > 0.0; }
   void report_timing();
+  std::string report_traffic() const;
 
   Params params_;
   double spacing_;
@@ -284,8 +303,13 @@ class FixAleisph : public Fix {
   std::vector<aleisph::RowType> row_types_;
   AleisphTally tally_;
 
+  std::unique_ptr<aleisph::HaloExchange> halo_;
+  aleisph::RowSplit split_;
+  bigint split_version_;
   double *halo_field_;
   int halo_ncomp_;
+  const double *packed_;    // where the last message was packed
+  mutable AleisphTraffic traffic_;
 };
 
 }    // namespace LAMMPS_NS

@@ -348,9 +348,7 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
   aleisph::Rows rows;
   for (const int i : disc.wall())
     if (owner_->role()[i] & aleisph::CURLCURL) rows.push_back(i);
-  int mine = static_cast<int>(rows.size()), any;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  if (!any) return;
+  if (!owner_->any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(owner_->nall()), 0.0);
   aleisph::curl(disc.stencil(), disc.gradient(), disc.all(), owner_->velocity(), vorticity.data());

@@ -46,21 +46,37 @@ bool is_zero(const double *n)
    wall moves; else those kept with the particles are taken.
 ------------------------------------------------------------------------- */
 
-void FixAleisph::locate_walls()
+void FixAleisph::restore_walls()
 {
   if (walls_.empty()) return;
-  aleisph::Timers::Scope scope(timers_, Part::OPERATORS);
-  const int nlocal = atom->nlocal;
-  double *stored = custom(WALL_SHAPE);
+  const double *stored = custom(WALL_SHAPE);
   shape_.assign(nall(), 0.0);
-  for (int i = 0; i < nlocal; i++) {
+  for (int i = 0; i < atom->nlocal; i++) {
     if (!(role_[i] & aleisph::WALL)) continue;
     std::copy(stored + COLUMNS * i, stored + COLUMNS * i + 3, &normal_[3 * i]);
     shape_[i] = stored[COLUMNS * i + 3];
   }
-  if (walls_changed()) {
+}
+
+// of this rank
+bool FixAleisph::walls_changed()
+{
+  if (walls_.empty()) return false;
+  bool changed = !walls_located_;
+  for (int i = 0; i < atom->nlocal && !changed; i++)
+    if (role_[i] & aleisph::WALL) changed = is_zero(&normal_[3 * i]) || !is_zero(atom->v[i]);
+  walls_located_ = true;
+  return changed;
+}
+
+void FixAleisph::locate_walls(bool changed)
+{
+  if (walls_.empty()) return;
+  aleisph::Timers::Scope scope(timers_, Part::OPERATORS);
+  if (changed) {
     find_normals();
-    for (int i = 0; i < nlocal; i++) {
+    double *stored = custom(WALL_SHAPE);
+    for (int i = 0; i < atom->nlocal; i++) {
       if (!(role_[i] & aleisph::WALL)) continue;
       std::copy(&normal_[3 * i], &normal_[3 * i] + 3, stored + COLUMNS * i);
       stored[COLUMNS * i + 3] = shape_[i];
@@ -68,17 +84,6 @@ void FixAleisph::locate_walls()
   }
   forward(normal_.data(), 3);
   forward(shape_.data(), 1);
-}
-
-bool FixAleisph::walls_changed()
-{
-  int changed = !walls_located_;
-  for (int i = 0; i < atom->nlocal && !changed; i++)
-    if (role_[i] & aleisph::WALL) changed = is_zero(&normal_[3 * i]) || !is_zero(atom->v[i]);
-  walls_located_ = true;
-  int any;
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  return any;
 }
 
 // Each sweep goes one particle further along walls that no fluid is near.

@@ -55,6 +55,63 @@ TEST(Csr, ProductAndMemory)
   matrix.csr().multiply(nullptr, nullptr);
 }
 
+// The same bits, whatever is done in between
+TEST(Csr, SubsetsOfRowsAgreeWithTheProduct)
+{
+  const int n = 60, ghosts = 9;
+  Sparse A = diagonally_dominant(n + ghosts, 4);
+  Matrix square(A);
+  CsrMatrix &full = square.csr();
+  std::vector<int> ptr = {0}, col;
+  for (int i = 0; i < n; i++) {
+    for (int k = full.begin(i); k < full.end(i); k++) col.push_back(full.col(k));
+    ptr.push_back(static_cast<int>(col.size()));
+  }
+  CsrMatrix matrix;
+  matrix.reset(n, ptr.data(), col.data());
+  for (int i = 0; i < n; i++) {
+    matrix.diag(i) = full.diag(i);
+    for (int k = matrix.begin(i); k < matrix.end(i); k++) matrix.val(k) = full.val(k);
+  }
+  Vector x = random_vector(n + ghosts, 5), whole(n), parts = Vector::Constant(n, NOT_A_NUMBER);
+  matrix.multiply(x.data(), whole.data());
+
+  std::vector<char> awaited(ghosts, 1);
+  awaited[2] = awaited[7] = 0;
+  const RowSplit split = split_rows(n, ptr.data(), col.data(), awaited);
+  EXPECT_EQ(split.interior.rows() + split.boundary.rows(), n);
+  EXPECT_GT(split.interior.rows(), 5);
+  EXPECT_GT(split.boundary.rows(), 5);
+  const Vector arrived = x;
+  for (int g = 0; g < ghosts; g++)
+    if (awaited[g]) x[n + g] = NOT_A_NUMBER;
+  matrix.multiply(split.interior, x.data(), parts.data());
+  for (const RowRuns::Run &run : split.boundary.runs())
+    for (int i = run.begin; i < run.end; i++) {
+      EXPECT_TRUE(std::isnan(parts[i]));
+      bool waits = false;
+      for (int k = ptr[i]; k < ptr[i + 1]; k++) waits |= col[k] >= n && awaited[col[k] - n];
+      EXPECT_TRUE(waits);
+    }
+  matrix.multiply(split.boundary, arrived.data(), parts.data());
+  EXPECT_EQ(parts, whole);
+}
+
+// rows of 0 to 20 entries of very different size
+TEST(Csr, RowSumIsTheProductWithOnes)
+{
+  Sparse A(21, 21);
+  for (int i = 0; i < 21; i++)
+    for (int j = 0; j < i; j++) A.coeffRef(i, j) = std::sin(7.0 * i + j) * std::exp(3.0 * (j % 5));
+  A.makeCompressed();
+  Matrix matrix(A);
+  Vector y(21);
+  for (int i = 0; i < 21; i++) matrix.csr().diag(i) = -matrix.csr().row_sum(i);
+  matrix.csr().multiply(Vector::Ones(21).eval().data(), y.data());
+  EXPECT_EQ(y, Vector::Zero(21));
+  EXPECT_NEAR(matrix.csr().row_sum(20), A.row(20).sum(), 1.0e-15 * A.row(20).cwiseAbs().sum() * 20);
+}
+
 TEST(BiCGStab, RandomSystemsAgreeWithDenseElimination)
 {
   for (unsigned seed = 1; seed <= 5; seed++)
@@ -408,9 +465,88 @@ TEST(BiCGStab, ReductionsPerIteration)
     const SolveReport report = solver.solve(op, *M, ip, b.data(), x.data(), params);
     ASSERT_EQ(report.iterations, 10);
     ASSERT_EQ(report.restarts, 0);
-    // b: 1, two residuals: 1 each; with remove_mean b: 4, residuals: 3 each (x, r, |r|)
-    EXPECT_EQ(ip.calls(), 30 + (remove_mean ? 10 : 3));
+    EXPECT_EQ(report.recomputed, 0);
+    // b: 1, two residuals: 1 each; with remove_mean x 1 more for each residual, b 1 or 2, and one
+    // for each sum that is less than half of what the mean takes
+    const int others = ip.calls() - 20;
+    EXPECT_GE(others, remove_mean ? 6 : 3);
+    EXPECT_LE(others, remove_mean ? 9 : 3);
     EXPECT_GE(solver.bytes(), 9 * 60 * sizeof(double));
+  }
+}
+
+// ILU(0) of a tridiagonal matrix is exact: one iteration takes the residual to rounding level, and
+// s.s - omega t.s is the difference of two equal numbers. The sums of r itself are taken instead,
+// and what is reported is the true residual.
+TEST(BiCGStab, SumsThatCancelAreTakenAgain)
+{
+  const int n = 200;
+  Sparse A = closed_interval(n);
+  for (int i = 0; i < n; i++) A.coeffRef(i, i) += 0.01;
+  const Vector b = random_vector(n, 3);
+  for (double perturbation : {0.0, 1.0e-3, 1.0e-5, 1.0e-7}) {
+    class Nearly : public Preconditioner {
+     public:
+      Nearly(Preconditioner &exact, double perturbation) : exact_(exact), factor_(perturbation) {}
+      void apply(const double *r, double *z) override
+      {
+        exact_.apply(r, z);
+        for (int i = 0; i < n; i++) z[i] *= 1.0 + factor_ * std::sin(i);
+      }
+
+     private:
+      Preconditioner &exact_;
+      double factor_;
+    };
+    Matrix matrix(A);
+    SerialOperator op(matrix.csr());
+    PrecondReport unused;
+    const auto M = make_preconditioner(PrecondType::ILU0, matrix.csr(), unused);
+    Nearly nearly(*M, perturbation);
+    SerialSum ip;
+    Vector x = Vector::Zero(n);
+    BiCGStab solver;
+    const SolveReport report = solver.solve(op, nearly, ip, b.data(), x.data(), tolerance(1.0e-12));
+    EXPECT_TRUE(report.ok()) << perturbation;
+    EXPECT_LE(report.iterations, perturbation > 1.0e-4 ? 4 : 3) << perturbation;
+    if (perturbation == 1.0e-5) {
+      EXPECT_GT(report.recomputed, 0);    // the path was taken
+    }
+    EXPECT_LE((b - A * x).norm(), 1.0e-12 * b.norm());
+    EXPECT_NEAR(report.residual, (b - A * x).norm(), 20.0 * EPS * b.norm());
+    EXPECT_EQ(ip.calls(), 2 * report.iterations + report.recomputed + 2 + 1 + report.restarts);
+  }
+}
+
+// The sums that need no reduction of their own are as good as those that did: strong convergence
+// takes as many iterations as BiCGSTAB in twice the precision would, give or take its irregularity
+TEST(BiCGStab, IterationsOfTheTextbook)
+{
+  using Long = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+  const Sparse A = convection_diffusion(24, 0.5);
+  const Eigen::SparseMatrix<long double, Eigen::RowMajor> B = A.cast<long double>();
+  for (unsigned seed : {3, 4, 5}) {
+    const Vector b = random_vector(24 * 24, seed);
+    Long r = b.cast<long double>(), r0 = r, p = r, x = Long::Zero(r.size());
+    long double rho = r.dot(r);
+    int expected = 0;
+    while (r.norm() > 1.0e-12 * b.norm()) {
+      const Long v = B * p;
+      const long double alpha = rho / r0.dot(v);
+      const Long s = r - alpha * v, t = B * s;
+      const long double omega = t.dot(s) / t.dot(t);
+      r = s - omega * t;
+      const long double next = r0.dot(r);
+      p = r + next / rho * (alpha / omega) * (p - omega * v);
+      rho = next;
+      expected++;
+    }
+    Matrix matrix(A);
+    Vector y = Vector::Zero(b.size());
+    const SolveReport report = solve(matrix.csr(), PrecondType::NONE, b, y, tolerance(1.0e-12));
+    EXPECT_EQ(report.status, SolveStatus::CONVERGED);
+    EXPECT_EQ(report.restarts, 0);
+    EXPECT_NEAR(report.iterations, expected, 0.1 * expected);
   }
 }
 

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Rules on the sources that no compiler checks: check_sources.py RULE
 
-dependencies  numerics (aleisph_*) include only numerics, the standard library and Eigen; a style
-              (fix_*, compute_*) includes numerics, LAMMPS and the owner, but no other style
+dependencies  numerics (aleisph_*) include only numerics, the standard library and Eigen, those
+              that are called aleisph_mpi_* also MPI; a style (fix_*, compute_*) includes numerics,
+              LAMMPS and the owner, but no other style
 headers       file heads: the licence line; include guards LMP_<FILE NAME>_H
 ascii         source, scripts, examples and documentation are plain ASCII
 names         no header of ours has the name of one of LAMMPS' headers
@@ -49,9 +50,13 @@ def includes(path):
             yield number, match[1] == "<", match[2]
 
 
-def wrong_in_numerics(system, name):
+def wrong_in_numerics(path, system, name):
+    parallel = path.name.startswith("aleisph_mpi_")
     if not system:
-        return not name.startswith("aleisph_") or name in OWNER
+        return (not name.startswith("aleisph_") or name in OWNER
+                or name.startswith("aleisph_mpi_") and not parallel)
+    if name == "mpi.h":
+        return not parallel
     if name.startswith("Eigen/") or name == "math.h":    # math.h: Bessel functions of POSIX
         return False
     return "/" in name or name.endswith(".h")
@@ -66,7 +71,8 @@ def dependencies():
     for path in package_files():
         numerics = path.name.startswith("aleisph_") and path.name not in OWNER
         for number, system, name in includes(path):
-            bad = wrong_in_numerics(system, name) if numerics else wrong_in_style(path, name)
+            bad = (wrong_in_numerics(path, system, name) if numerics
+                   else wrong_in_style(path, name))
             if bad:
                 yield path, number, f"must not include {name}"
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Halo exchange of one double per particle, straight from the rank that
+   owns a particle to each rank with ghosts of it: one message per pair of
+   ranks, one entry per owner however many periodic images there are. LAMMPS'
+   own exchange needs two swaps a dimension, one after the other. Ghosts
+   whose owner is this very rank are copied and need no message.
+
+   The plan belongs to one set of local indices: build() it again after each
+   re-neighboring. Built by sparse data exchange with non-blocking consensus,
+   Hoefler, Siebert & Lumsdaine, PPoPP 2010, without a table of all ranks.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_MPI_HALO_H
+#define LMP_ALEISPH_MPI_HALO_H
+
+#include <mpi.h>
+#include <vector>
+
+namespace aleisph {
+
+class HaloExchange {
+ public:
+  explicit HaloExchange(MPI_Comm comm);    // has a communicator of its own, like comm
+  ~HaloExchange();
+  HaloExchange(const HaloExchange &) = delete;
+  HaloExchange &operator=(const HaloExchange &) = delete;
+
+  // Collective. owner: of each ghost, rank and local index there; ghosts are the local indices
+  // from nlocal on.
+  struct Owner {
+    int rank, index;
+  };
+  void build(int nlocal, const std::vector<Owner> &owner);
+
+  // x: owned and ghost entries. Ghosts that are not remote() are valid after start(), all after
+  // finish(). Collective among neighbours.
+  void start(double *x);
+  void finish(double *x);
+
+  int columns() const { return static_cast<int>(canonical_.size()); }
+  // per ghost: not zero if its owner is another rank
+  const std::vector<char> &remote() const { return remote_; }
+  // Per local index, one index for all copies of a particle: of an owned particle and its images
+  // on this rank the owned one, else the first ghost
+  const int *canonical() const { return canonical_.data(); }
+
+  // what one exchange receives
+  int messages() const { return static_cast<int>(receives_.size()); }
+  double message_bytes() const { return static_cast<double>(sizeof(double)) * in_.size(); }
+  double bytes() const;    // memory held
+
+ private:
+  struct Peer {
+    int rank, begin, end;    // entries of its message in in_ or out_
+  };
+  struct Copy {
+    int from, to;
+  };
+
+  void sort_ghosts(int nlocal, const std::vector<Owner> &owner, std::vector<int> &wanted);
+  void ask_owners(const std::vector<int> &wanted);
+  void receive_request();
+  void start_messages(const double *x);
+  void await_messages();
+
+  MPI_Comm comm_;
+  int rank_, tag_ = 0;
+  std::vector<Peer> receives_, sends_;
+  std::vector<int> send_index_;        // owned entries, message after message
+  std::vector<Copy> images_, fill_;    // x to x; in_ to x
+  std::vector<double> in_, out_;
+  std::vector<MPI_Request> requests_;
+  std::vector<char> remote_;
+  std::vector<int> canonical_;
+};
+
+}    // namespace aleisph
+#endif
