@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """The parser of the timing that the styles print."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 import timing
 
@@ -35,8 +37,13 @@ class Timing(unittest.TestCase):
             timing.by_part("ALEISPH time: 1 s\nLoop time of 1 on 1 procs for 1 steps with 1 atoms")
 
     def test_peak_memory_of_the_program(self):
-        self.assertEqual(timing.peak_bytes("Total\nVmHWM:\t   100 kB\n"), 102400)
-        self.assertIsNone(timing.peak_bytes("grep: no such file"))
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            self.assertIsNone(timing.peak_bytes(folder))
+            (folder / "peak-memory").write_text("", encoding="ascii")
+            self.assertIsNone(timing.peak_bytes(folder))
+            (folder / "peak-memory").write_text("VmHWM:\t   100 kB\n", encoding="ascii")
+            self.assertEqual(timing.peak_bytes(folder), 102400)
 
     def test_bytes_per_particle_are_those_of_the_growth(self):
         # 5 MB of program and 1000 bytes per particle, in any order

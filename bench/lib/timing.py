@@ -8,12 +8,12 @@ import numpy as np
 
 PART = re.compile(r"^  (\w[\w -]*?) +(\S+) s +\S+ %")
 LOOP = re.compile(r"^Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", re.M)
-PEAK = re.compile(r"^VmHWM:\s+(\d+) kB", re.M)
+PEAK = re.compile(r"^VmHWM:\s+(\d+) kB")
 
 # Peak resident memory of rank 0, as its system counts it. What a parent reads of its child would
 # include the parent's own memory at the time of the fork. $PPID: LAMMPS itself; LAMMPS does not
 # substitute in quotes.
-PRINT_PEAK = 'shell "grep VmHWM /proc/$PPID/status"\n'
+WRITE_PEAK = 'shell "grep VmHWM /proc/$PPID/status > peak-memory"\n'
 
 
 def last_block(text):
@@ -45,9 +45,10 @@ def by_part(text):
     return parts, atoms, steps
 
 
-def peak_bytes(text):
-    """Of a run whose script ends with PRINT_PEAK; None on a system that does not say."""
-    found = PEAK.search(text)
+def peak_bytes(folder):
+    """Of a run in this folder whose script ends with WRITE_PEAK; None where systems do not say."""
+    path = folder / "peak-memory"
+    found = PEAK.match(path.read_text(encoding="ascii")) if path.exists() else None
     return 1024 * int(found[1]) if found else None
 
 
@@ -64,11 +65,11 @@ def per_particle(N, peak):
 
 def bandwidth(length=40_000_000, repeats=5):
     """Bytes per second of a = b + c over doubles on one core; 24 bytes per element, as STREAM
-    counts. The best of the repeats."""
+    counts, and seconds of the core, not of the clock. The best of the repeats."""
     b, c, a = np.ones(length), np.full(length, 2.0), np.zeros(length)
     best = np.inf
     for _ in range(repeats):
-        start = time.perf_counter()
+        start = time.process_time()
         np.add(b, c, out=a)
-        best = min(best, time.perf_counter() - start)
+        best = min(best, time.process_time() - start)
     return 24.0 * length / best
