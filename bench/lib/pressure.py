@@ -16,6 +16,7 @@ TOLERANCE = 1e-8
 NAMES = ("none", "jacobi", "ilu0", "amg")
 LARGEST = {"none": 3e4, "jacobi": 1.1e5}
 MOST = 20000    # iterations
+SHORT, REPEATS = 1.0, 3     # seconds
 RUN = """
 thermo_style custom step f_ppe[1] f_ppe[2]
 run 0
@@ -53,7 +54,19 @@ def available(names, folder):
 
 
 def solve(path, variables, name, folder, limit, ranks):
-    """A row; path: the scene. A solve that did not converge, or took too long, has a note."""
+    """A row; path: the scene. Of short solves the quickest of some: the rest of such a run, and
+    what the machine does besides, would count too much."""
+    row = attempt(path, variables, name, folder, limit, ranks)
+    if row.get("seconds", SHORT) < SHORT:
+        again = [attempt(path, variables, name, folder, limit, ranks) for _ in range(REPEATS - 1)]
+        differ = len({other.get("iterations") for other in (row, *again)}) > 1
+        row = min((row, *again), key=lambda other: other.get("seconds", SHORT))
+        row["note"] = "not-reproducible" if differ else row["note"]
+    return row
+
+
+def attempt(path, variables, name, folder, limit, ranks):
+    """A solve that did not converge, or took too long, has a note."""
     run = folder / "in.solve"
     run.write_text(script(path.read_text(encoding="ascii"), name), encoding="ascii")
     start, before = time.perf_counter(), cpu_seconds()
@@ -74,15 +87,16 @@ def cpu_seconds():
 
 
 def read(text, name, ranks, share=1.0):
-    """share: of its core that the run had; times are multiplied by it."""
+    """share: of its core that the process had; a note only, short runs wait for their start."""
     seconds, _, _, atoms = timing.last_block(text)
     line = common.lines_with("PRESSURE", text)[0]
     notes = ["not-converged"] if line["failed"] or not line["residual"] <= TOLERANCE else []
     notes += ["fallback"] if re.search(r"^WARNING.*fall", text, re.M | re.I) else []
-    set_up, solve_ = share * seconds.get("preconditioner", 0.0), share * seconds["solve"]
+    set_up, solve_ = seconds.get("preconditioner", 0.0), seconds["solve"]
     return {"preconditioner": name, "N": atoms, "fluid": int(line["fluid"]),
             "iterations": int(line["iterations"]), "residual": line["residual"],
-            "set-up": set_up, "solve": solve_, "seconds": set_up + solve_, "ranks": ranks, "cpu share": share,
+            "set-up": set_up, "solve": solve_, "seconds": set_up + solve_, "ranks": ranks,
+            "cpu share": share,
             "note": "+".join(notes) or None}
 
 

@@ -2,8 +2,9 @@
 """A dam break in mid-splash at any resolution, to solve one pressure equation in it.
 
 examples/dam-break is run to T = t sqrt(2g/a) = 10.5: the water that ran up the far wall has fallen
-back, plunged into the rest and throws up a jet; there are a cavity and spray. With m = 1 that state is used as it is. A finer one would take too long to reach:
-with m > 1 the same water is filled with a lattice m times as fine, disordered like a tank.
+back, plunged into the rest and throws up a jet; there are a cavity and spray. With m = 1 that state
+is used as it is. A finer one would take too long to reach: with m > 1 the same water is filled with
+a lattice m times as fine, disordered like a tank.
 """
 
 import numpy as np

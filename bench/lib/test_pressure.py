@@ -3,6 +3,7 @@
 """Reading one solve, and the growth of the iterations."""
 
 import unittest
+import unittest.mock
 
 import pressure
 
@@ -19,9 +20,25 @@ class Solves(unittest.TestCase):
     def test_row_of_a_solve(self):
         row = pressure.read(LOG.format(residual=5e-9, failed=0), "ilu0", 1, share=0.5)
         self.assertEqual((row["iterations"], row["N"], row["fluid"]), (12, 50, 40))
-        self.assertAlmostEqual(row["set-up"], 0.05)
-        self.assertAlmostEqual(row["seconds"], 0.25)
+        self.assertAlmostEqual(row["set-up"], 0.1)
+        self.assertAlmostEqual(row["seconds"], 0.5)
         self.assertIsNone(row["note"])
+
+    def test_the_quickest_of_short_solves_counts(self):
+        rows = [{"iterations": 5, "seconds": s, "note": None} for s in (0.3, 0.1, 0.2)]
+        with unittest.mock.patch.object(pressure, "attempt", side_effect=rows):
+            self.assertEqual(pressure.solve(None, {}, "ilu0", None, 1, 1)["seconds"], 0.1)
+
+    def test_a_long_solve_is_run_once(self):
+        row = {"iterations": 5, "seconds": 2.0, "note": None}
+        with unittest.mock.patch.object(pressure, "attempt", side_effect=[row]):
+            self.assertIs(pressure.solve(None, {}, "ilu0", None, 1, 1), row)
+
+    def test_other_iterations_of_the_same_solve_are_named(self):
+        rows = [{"iterations": k, "seconds": 0.1, "note": None} for k in (5, 6, 5)]
+        with unittest.mock.patch.object(pressure, "attempt", side_effect=rows):
+            self.assertEqual(pressure.solve(None, {}, "amg", None, 1, 1)["note"],
+                             "not-reproducible")
 
     def test_what_did_not_converge_is_named(self):
         for residual, failed in ((5e-9, 1), (2e-8, 0), ("nan", 0)):

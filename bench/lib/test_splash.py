@@ -87,8 +87,8 @@ class Files(unittest.TestCase):
     def test_last_frame(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "dump"
-            path.write_text("ITEM: ATOMS id x\n1 2\nITEM: TIMESTEP\n1\nITEM: ATOMS id x\n1 3\n2 4\n",
-                            encoding="ascii")
+            frames = "ITEM: ATOMS id x\n1 2\nITEM: TIMESTEP\n1\nITEM: ATOMS id x\n1 3\n2 4\n"
+            path.write_text(frames, encoding="ascii")
             np.testing.assert_array_equal(splash.last_frame(path), [[1, 3], [2, 4]])
 
 
