@@ -23,29 +23,31 @@ import splash  # noqa: E402
 HERE = Path(__file__).resolve().parent
 SCENES = {scene.case: scene for scene in (sizes.TANK_2D, sizes.TANK_3D, sizes.PIPE)}
 CASES = (*SCENES, "splash")
-SMALLEST = 1e3
 # Spacings across the column of the run, and how much finer its state is made
 SPLASHES = {20: (1, 4, 11)}                 # 8e2 particles of the run; 1e4, 1e5
 SPLASHES_FULL = {20: (1,), 40: (1, 2, 6, 18), 72: (1,)}   # to 1e6; 1e4 particles of a run
 
 
 def measure(case, path, variables, preconditioners, options, notes):
+    """Rows; a preconditioner that took too long is taken off the list."""
     rows = []
-    for name in preconditioners:
+    for name in list(preconditioners):
         row = pressure.solve(path, variables, name, path.parent, options.limit, options.ranks)
         row = {"case": case, **row, **notes}
         print(common.result_line(**pressure.result(row)), flush=True)
         rows.append(row)
+        if pressure.too_long(row):
+            preconditioners.remove(name)
     return rows
 
 
 def scene_rows(scene, names, options, folder):
-    rows = []
+    rows, names = [], list(names)
     for nominal in scene.upto(options.largest):
         path = folder / f"in.{scene.case}"
         path.write_text(scene.head(), encoding="ascii")
-        chosen = [name for name in names if nominal <= pressure.largest(name, options.largest)]
-        rows += measure(scene.case, path, scene.variables(nominal), chosen, options, {})
+        names = pressure.affordable(names, nominal)
+        rows += measure(scene.case, path, scene.variables(nominal), names, options, {})
     return rows
 
 
@@ -57,14 +59,15 @@ def splash_rows(names, options, folder):
         d = splash.COLUMN / n
         if 2 * n**2 > options.largest:
             continue
-        x, v, _ = splash.run(n, folder / f"run-{n}")
+        x, v = splash.run(n, folder / f"run-{n}")
+        rest = list(names)
         for m in factors:
             if 2 * (n * m)**2 > 1.2 * options.largest:
                 continue
             count = splash.write_data(folder / "data", *splash.refine(x, v, d, m), d / m)
             variables = {"data": folder / "data", "d": d / m, "dt": splash.step(v, d / m)}
-            chosen = [p for p in names if count <= pressure.largest(p, 1.5 * options.largest)]
-            rows += measure("splash", path, variables, chosen, options, {"refined": m})
+            rest = pressure.affordable(rest, count)
+            rows += measure("splash", path, variables, rest, options, {"refined": m})
     return rows
 
 

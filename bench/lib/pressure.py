@@ -11,11 +11,12 @@ import sizes
 import timing
 
 TOLERANCE = 1e-8
-# Those of fix aleisph/ppe and the largest N for which they are tried: none needs thousands of
-# iterations there.
+# Those of fix aleisph/ppe, and the largest N for which they are tried
 NAMES = ("none", "jacobi", "ilu0", "amg")
-LARGEST = {"none": 1.2e5}
+LARGEST = {"none": 1.2e5}     # beyond, jacobi shows the same
 MOST = 20000    # iterations
+MISSING = re.compile(r"unknown preconditioner|preconditioner \w+ needs")     # in an error
+REPLACED = re.compile(r"^WARNING: .*preconditioner \w+ failed.*jacobi was used", re.M)
 SHORT, REPEATS = 1.0, 3     # seconds
 RUN = """
 thermo_style custom step f_ppe[1] f_ppe[2]
@@ -25,8 +26,12 @@ solves=$(f_ppe[9]/(f_ppe[1]+1.0e-300)) failed=$(f_ppe[8]) fluid=$(count(fluid))"
 """
 
 
-def largest(name, N):
-    return min(N, LARGEST.get(name, N))
+def affordable(names, N):
+    return [name for name in names if N <= LARGEST.get(name, N)]
+
+
+def too_long(row):
+    return str(row.get("note")).startswith("stopped-after")
 
 
 def script(text, preconditioner):
@@ -44,7 +49,7 @@ def available(names, folder):
         path.write_text(text, encoding="ascii")
         variables = {"dim": 2, "n": 8, "tol": TOLERANCE}
         _, failure = common.attempt_lammps(path, variables, folder / "probe")
-        if "unknown preconditioner" in failure:
+        if MISSING.search(failure):
             print(f"no preconditioner {name} in this build: left out", flush=True)
         elif failure:
             raise RuntimeError(f"preconditioner {name}: {failure}")
@@ -72,12 +77,12 @@ def attempt(path, variables, name, folder, limit, ranks):
     start, before = time.perf_counter(), cpu_seconds()
     text, failure = common.attempt_lammps(run, {**variables, "tol": TOLERANCE},
                                           folder / "solve", ranks, limit)
-    share = (cpu_seconds() - before) / (time.perf_counter() - start) if ranks == 1 else 1.0
+    share = (cpu_seconds() - before) / (time.perf_counter() - start) if ranks == 1 else None
     if failure:
         found = re.search(r"^\s*(\d+) atoms$", text, re.M)
         return {"preconditioner": name, "N": int(found[1]) if found else None, "ranks": ranks,
                 "note": failure.replace(" ", "-")}
-    return read(text, name, ranks, min(1.0, share))
+    return read(text, name, ranks, share)
 
 
 def cpu_seconds():
@@ -86,12 +91,12 @@ def cpu_seconds():
     return used.ru_utime + used.ru_stime
 
 
-def read(text, name, ranks, share=1.0):
+def read(text, name, ranks, share=None):
     """share: of its core that the process had; a note only, short runs wait for their start."""
     seconds, _, _, atoms = timing.last_block(text)
     line = common.lines_with("PRESSURE", text)[0]
     notes = ["not-converged"] if line["failed"] or not line["residual"] <= TOLERANCE else []
-    notes += ["fallback"] if re.search(r"^WARNING.*fall", text, re.M | re.I) else []
+    notes += ["fallback"] if REPLACED.search(text) else []
     set_up, solve_ = seconds.get("preconditioner", 0.0), seconds["solve"]
     return {"preconditioner": name, "N": atoms, "fluid": int(line["fluid"]),
             "iterations": int(line["iterations"]), "residual": line["residual"],

@@ -46,9 +46,21 @@ class Solves(unittest.TestCase):
             self.assertEqual(row["note"], "not-converged")
 
     def test_a_fallback_is_named(self):
-        text = "WARNING: Fix aleisph/ppe: falling back to jacobi\n" + LOG
+        text = ("WARNING: Fix aleisph/ppe: preconditioner amg failed at step 0 (breakdown), jacobi "
+                "was used (src/fix.cpp:1)\n" + LOG)
         self.assertEqual(pressure.read(text.format(residual=1e-9, failed=0), "amg", 1)["note"],
                          "fallback")
+
+    def test_what_is_not_affordable_is_left_out(self):
+        self.assertEqual(pressure.affordable(["none", "amg"], 1e6), ["amg"])
+        self.assertTrue(pressure.too_long({"note": "stopped-after-5-s"}))
+        self.assertFalse(pressure.too_long({"note": None}))
+
+    def test_what_a_build_has_not(self):
+        for text in ("ERROR: Fix aleisph/ppe: unknown preconditioner amg, use auto or one of none",
+                     "ERROR: Fix aleisph/ppe: preconditioner amg needs the library hypre, and"):
+            self.assertTrue(pressure.MISSING.search(text))
+        self.assertFalse(pressure.MISSING.search("ERROR: Lost atoms: original 50 current 49"))
 
     def test_growth_is_from_the_size_next_to_ten_thousand(self):
         rows = [{"case": "pipe", "preconditioner": "amg", "N": N, "iterations": k, "note": note}
