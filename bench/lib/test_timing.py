@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """The parser of the timing that the styles print."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 import timing
 
@@ -14,7 +16,8 @@ Loop time of 9 on 1 procs for 9 steps with 50 atoms
 
 ALEISPH time: 0.5 s, 100 us per particle-step and rank
   stencil            0.1250 s   25.0 %
-  solve               0.375 s   75.0 %
+ALEISPH communication per step: 12 messages, 3.4 kB
+  solve               0.375 s   75.0 % (waiting 0.1 s)
 ALEISPH builds: stencil 1, gradient 1
 Loop time of 0.75 on 2 procs for 100 steps with 50 atoms
 """
@@ -32,6 +35,27 @@ class Timing(unittest.TestCase):
     def test_a_log_without_parts_is_an_error(self):
         with self.assertRaises(RuntimeError):
             timing.by_part("ALEISPH time: 1 s\nLoop time of 1 on 1 procs for 1 steps with 1 atoms")
+
+    def test_peak_memory_of_the_program(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            self.assertIsNone(timing.peak_bytes(folder))
+            (folder / "peak-memory").write_text("", encoding="ascii")
+            self.assertIsNone(timing.peak_bytes(folder))
+            (folder / "peak-memory").write_text("VmHWM:\t   100 kB\n", encoding="ascii")
+            self.assertEqual(timing.peak_bytes(folder), 102400)
+
+    def test_bytes_per_particle_are_those_of_the_growth(self):
+        # 5 MB of program and 1000 bytes per particle, in any order
+        N = [2000, 1000, 10000]
+        self.assertAlmostEqual(timing.per_particle(N, [5e6 + 1e3 * n for n in N]), 1000)
+
+    def test_slope(self):
+        self.assertAlmostEqual(timing.slope([1e3, 1e4, 1e5], [2.0, 20.0, 200.0]), 1.0)
+        self.assertAlmostEqual(timing.slope([1e3, 1e5], [1.0, 10.0]), 0.5)
+
+    def test_bandwidth_is_that_of_a_memory(self):
+        self.assertTrue(1e8 < timing.bandwidth(length=1_000_000, repeats=3) < 1e12)
 
 
 if __name__ == "__main__":
