@@ -395,8 +395,10 @@ void FixAleisph::rebuild()
   refuse_roles(found);
   locate_walls(found[3]);
   mark_dry_walls();
-  discretization_->update(atom->nlocal, atom->x, {list_->numneigh, list_->firstneigh, NEIGHMASK},
-                          role_.data(), dry_rule());
+  discretization_->update(
+      atom->nlocal, atom->x,
+      {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()},
+      role_.data(), dry_rule());
   if (const long coincident = sum(discretization_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
   if (moving_ || n == 0)
