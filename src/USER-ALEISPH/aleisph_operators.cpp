@@ -36,6 +36,17 @@ template <int D> inline Mat<D> correction(const GradientWeights &g, int i)
   return g.volume() * L;
 }
 
+// sum V L_i as a matrix of space
+template <int D>
+inline Mat<3> in_space(const Eigen::Matrix<double, 3, D> &sum, const Mat<D> &correction)
+{
+  Mat<3> product = Mat<3>::Zero();
+  for (int a = 0; a < 3; a++)
+    for (int b = 0; b < D; b++)
+      for (int c = 0; c < D; c++) product(a, b) += sum(a, c) * correction(c, b);
+  return product;
+}
+
 // Sums over the pairs of a row
 template <int D> class KernelSums {
  public:
@@ -150,11 +161,9 @@ void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &r
 {
   with_sums(s, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
-    for (const int i : rows) {
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> gradient(out + 9 * i);
-      gradient.setZero();
-      gradient.leftCols<D>() = sums.template vector<3>(i, v, role, normal) * correction<D>(g, i);
-    }
+    for (const int i : rows)
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) =
+          in_space<D>(sums.template vector<3>(i, v, role, normal), correction<D>(g, i));
   });
 }
 
@@ -164,8 +173,8 @@ void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const do
   with_sums(s, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows) {
-      Mat<3> grad = Mat<3>::Zero();
-      grad.leftCols<D>() = sums.template vector<3>(i, v, nullptr, nullptr) * correction<D>(g, i);
+      const Mat<3> grad = in_space<D>(sums.template vector<3>(i, v, nullptr, nullptr),
+                                      correction<D>(g, i));
       store<3>(Vec<3>(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)),
                out, i);
     }
