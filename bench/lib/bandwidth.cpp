@@ -60,7 +60,7 @@ void stream(std::size_t n)
   });
   report("sum", 1, rows, 0.0, 8.0 * rows, [&] {
     double sum;
-    sum_terms<1>(n, &sum, [&](std::size_t i, double *term) { *term = b[i]; });
+    sum_terms<1>(n, &sum, [&](auto at, auto *term) { *term = at(b.data()); });
     sink = sum;
   });
 }

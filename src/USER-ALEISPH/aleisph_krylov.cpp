@@ -303,10 +303,10 @@ void BiCGStab::Run::recompute(double omega, double t_mean, double &r_r, double &
 {
   double sums[2];
   const double *t = t_.data(), *s = r_.data(), *r0 = r0_.data();
-  sum_terms<2>(n_, sums, [=](std::size_t i, double *term) {
-    const double r = s[i] - omega * (t[i] - t_mean);
+  sum_terms<2>(n_, sums, [=](auto at, auto *term) {
+    const auto r = at(s) - omega * (at(t) - t_mean);
     term[0] = r * r;
-    term[1] = r0[i] * r;
+    term[1] = at(r0) * r;
   });
   ip_.sum(2, sums);
   r_r = sums[0];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    The passes over memory of BiCGSTAB, each doing all that its vectors are
-   read for. Sums have four accumulators in a fixed order: one would wait
-   for the latency of each addition, and a compiler may not reorder.
+   read for. Sums have four parts in a fixed order: one would wait for the
+   latency of each addition, and a compiler may not reorder.
    Names as in aleisph_krylov.cpp; no two arguments overlap.
 ------------------------------------------------------------------------- */
 
@@ -13,31 +13,54 @@
 
 namespace aleisph {
 
-// sums[m] = sum over i < n of term m; term(i, out) writes the M terms of i
+// four consecutive entries of a vector; any instruction set will do
+#if defined(__GNUC__)
+typedef double Pack __attribute__((vector_size(32), aligned(8), may_alias));
+#else
+typedef double Pack;
+#endif
+
+struct EntryAt {
+  std::size_t i;
+  double operator()(const double *v) const { return v[i]; }
+};
+
+// the pack from i on
+struct PackAt {
+  std::size_t i;
+  const Pack &operator()(const double *v) const { return *reinterpret_cast<const Pack *>(v + i); }
+};
+
+// sums[m] = sum over i < n of term m; terms(at, out) writes the M terms of what at(vector) gives
 template <int M, class Terms> void sum_terms(std::size_t n, double *sums, const Terms &terms)
 {
-  constexpr std::size_t LANES = 4;
-  double part[M][LANES] = {}, term[M];
+  constexpr std::size_t LANES = sizeof(Pack) / sizeof(double);
+  Pack part[M] = {}, pack[M];
+  double term[M];
   std::size_t i = 0;
-  for (; i + LANES <= n; i += LANES)
-    for (std::size_t lane = 0; lane < LANES; lane++) {
-      terms(i + lane, term);
-      for (int m = 0; m < M; m++) part[m][lane] += term[m];
-    }
-  for (; i < n; i++) {
-    terms(i, term);
-    for (int m = 0; m < M; m++) part[m][0] += term[m];
+  for (; i + LANES <= n; i += LANES) {
+    terms(PackAt{i}, pack);
+    for (int m = 0; m < M; m++) part[m] += pack[m];
   }
-  for (int m = 0; m < M; m++) sums[m] = (part[m][0] + part[m][1]) + (part[m][2] + part[m][3]);
+  for (int m = 0; m < M; m++) {
+    sums[m] = 0.0;
+    const double *lane = reinterpret_cast<const double *>(&part[m]);
+    for (std::size_t l = 0; l < LANES; l++) sums[m] += lane[l];
+  }
+  for (; i < n; i++) {
+    terms(EntryAt{i}, term);
+    for (int m = 0; m < M; m++) sums[m] += term[m];
+  }
 }
 
 // a.b, b.b, sum b
 inline void product_sums(std::size_t n, const double *a, const double *b, double *sums)
 {
-  sum_terms<3>(n, sums, [=](std::size_t i, double *term) {
-    term[0] = a[i] * b[i];
-    term[1] = b[i] * b[i];
-    term[2] = b[i];
+  sum_terms<3>(n, sums, [=](auto at, auto *term) {
+    const auto b_i = at(b);
+    term[0] = at(a) * b_i;
+    term[1] = b_i * b_i;
+    term[2] = b_i;
   });
 }
 
@@ -45,13 +68,14 @@ inline void product_sums(std::size_t n, const double *a, const double *b, double
 inline void stabilizer_sums(std::size_t n, const double *t, const double *s, const double *r0,
                             double *sums)
 {
-  sum_terms<6>(n, sums, [=](std::size_t i, double *term) {
-    term[0] = t[i] * s[i];
-    term[1] = t[i] * t[i];
-    term[2] = s[i] * s[i];
-    term[3] = t[i];
-    term[4] = r0[i] * t[i];
-    term[5] = r0[i] * s[i];
+  sum_terms<6>(n, sums, [=](auto at, auto *term) {
+    const auto t_i = at(t), s_i = at(s), r0_i = at(r0);
+    term[0] = t_i * s_i;
+    term[1] = t_i * t_i;
+    term[2] = s_i * s_i;
+    term[3] = t_i;
+    term[4] = r0_i * t_i;
+    term[5] = r0_i * s_i;
   });
 }
 
