@@ -47,7 +47,7 @@ def run_example(run, scratch):
     variables = {"vn": run.viscous, "tol": run.tol, **run.variables}
     if run.case == "poiseuille":
         variables.update(here=folder, python=sys.executable)
-    text = common.run_lammps(folder / f"in.{run.case}", variables, scratch)
+    text = common.run_lammps(scene.with_exact_time(run.case, scratch), variables, scratch)
     share = common.cpu_share(text)
     rows = []
     for line in common.lines_with(common.RESULT, text):

@@ -44,7 +44,7 @@ def patch_runs(coarse):
 
 def run_own(setup, scratch):
     folder = scene.EXAMPLES / NAME
-    text = common.run_lammps(folder / f"in.{NAME}",
+    text = common.run_lammps(scene.with_exact_time(NAME, scratch),
                              {"d": 1 / setup.n, "variant": setup.variant, "cfl": 0.2 * setup.step,
                               "T": 2, "here": folder, "python": sys.executable, "frames": 0.5},
                              scratch)

@@ -2,9 +2,9 @@
 """One time step of the rotating patch: this package and LAMMPS' RHEO, with the same particles.
 
 Microseconds per particle and step, without output and measurements: LAMMPS' loop time, multiplied
-by the share of the core that the run had. The codes take turns, so that what slows the machine slows
-both; medians of the rounds count. A step of this package covers much more time than one of RHEO,
-which must resolve sound; the row has both in units of 1/omega.
+by the share of the core that the run had. The codes take turns, so that what slows the machine
+slows both; medians of the rounds count. A step of this package covers much more time than one of
+RHEO, which must resolve sound; the rows have both in units of 1/omega.
 """
 
 import re
