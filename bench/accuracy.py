@@ -1,24 +1,28 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-only
-"""Error against run time: plane channel with its peers, pipe and Taylor-Green vortices.
+"""Error against run time over time steps and tolerances: channel, pipe, Taylor-Green vortices.
 
 The pipe and the vortices are the examples `poiseuille` and `taylor-green`, each over resolutions,
-two time steps and two solver tolerances; the channel is that of peers.py. Writes accuracy.csv,
-accuracy.md and accuracy.png besides the files of peers.py and repeats all result lines.
+two time steps and two solver tolerances; on the channel there are all of our series, RHEO and SPH.
+Writes accuracy.csv, accuracy.md, accuracy.png, channel.csv, channel-ratios.csv and
+channel-summary.csv. `peers` has the page with all peers.
 """
 
+import argparse
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
-import peers
+sys.path.insert(0, str(Path(__file__).resolve().parent / "lib"))
 
-import channel
-import common
-import plot
+import channel  # noqa: E402  (found in bench/lib)
+import channel_report  # noqa: E402
+import common  # noqa: E402
+import flows  # noqa: E402
+import peers_channel  # noqa: E402
+import plot  # noqa: E402
 
-EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+DEFAULT_OUT = Path(__file__).resolve().parent / "results"
 PANELS = {("poiseuille", 0.05): "pipe, start-up, nu t/R^2 = 0.2 (n = 2R/d)",
           ("poiseuille", 0.5): "pipe, steady, nu t/R^2 = 2 (n = 2R/d)",
           ("taylor-green", 0.25): "Taylor-Green, Re = 100, t U/L = 0.25 (n = L/d)",
@@ -28,93 +32,63 @@ COLUMNS = {"case": "case", "variant": "settings", "n": "n", "N": "N", "dt": "dt"
            "l2": "L2"}
 
 
-@dataclass
-class Run:
-    """An example with the variables that it is run with; n spacings across."""
-    case: str
-    variant: str
-    n: int
-    step: float        # 1, or 0.5 for half the time step
-    viscous: float     # nu dt/d^2, before it is lowered to divide the times of comparison
-    tol: float
-    variables: dict
-
-
-def pipe_runs():
-    """nu t/R^2 = 0.2 and 0.4 for all runs, and 2 with the larger implicit steps."""
-    for n, d in ((10, 1e-4), (16, 6.25e-5), (20, 5e-5)):
-        for tol in (1e-6, 1e-10):
-            yield Run("poiseuille", "example", n, 1, 0.1, tol, {"d": d, "marks": (5, 10)})
-            # dt proportional to d, as for the channel
-            for step, marks in ((1, (5, 10, 50)), (0.5, (5, 10))):
-                yield Run("poiseuille", "tuned", n, step, 0.05 * step * n, tol,
-                          {"d": d, "scheme": "cn", "marks": marks})
-
-
-def vortex_runs():
-    """t U/L = 0.25 for all runs, and 1 where that does not take long."""
-    for n in (32, 64, 128):
-        for step in (1, 0.5):
-            for tol in (1e-4, 1e-8):
-                short = n == 128 and (step, tol) != (1, 1e-4)
-                yield Run("taylor-green", "ab2", n, step, 0.15 * step, tol,
-                          {"N": n, "marks": 5 if short else (5, 20)})
-
-
-def run_example(run, scratch):
-    """One row per result line of the velocity."""
-    folder = EXAMPLES / run.case
-    variables = {"vn": run.viscous, "tol": run.tol, **run.variables}
-    if run.case == "poiseuille":
-        variables.update(here=folder, python=sys.executable)
-    text = common.run_lammps(folder / f"in.{run.case}", variables, scratch)
-    share = common.cpu_share(text)
-    rows = []
-    for line in common.lines_with(common.RESULT, text):
-        if line["quantity"] == "u":
-            rows.append({"case": run.case, "code": "aleisph", "variant": run.variant, "n": run.n,
-                         "step": run.step, "nu dt/d^2": run.viscous, "tol": run.tol, **line,
-                         "N": int(line["N"]), "seconds": share * line["seconds"],
-                         "cpu share": share})
-            print("  " + common.result_line(**{**line, "tol": run.tol}), flush=True)
-    if not rows:
-        raise RuntimeError(f"{run.case} printed no {common.RESULT} line of the velocity")
-    return rows
-
-
-def run_cases():
+def run_examples(scratch):
     table = []
-    for run in [*pipe_runs(), *vortex_runs()]:
-        with tempfile.TemporaryDirectory(prefix="aleisph-bench-") as scratch:
-            table += run_example(run, Path(scratch))
+    for index, run in enumerate([*flows.pipe_runs(), *flows.vortex_runs()]):
+        rows = flows.run_example(run, scratch / f"example-{index}")
+        table += rows
+        for row in rows:
+            print("  " + common.result_line(**{key: row[key] for key in (
+                "case", "time", "l2", "linf", "d", "N", "dt", "seconds", "ranks", "tol")}),
+                  flush=True)
     return table
 
 
-def at(rows, case, time):
-    return [r for r in rows if r["case"] == case and abs(r["time"] - time) < 1e-6 * time]
+def run_channel(long, scratch):
+    print("Plane channel, one core per run", flush=True)
+    table = []
+    setups = [*peers_channel.own_setups(), *peers_channel.peer_setups(long)]
+    for index, setup in enumerate(setups):
+        rows = peers_channel.measure(setup, scratch / f"channel-{index}")
+        table += rows
+        errors = " ".join(f"{row['l2']:.2e}" for row in rows)
+        print(f"  {setup.code:8s} {setup.variant:16s} n={setup.n:<3d} "
+              f"{rows[-1]['seconds']:8.2f} s  L2 = {errors}", flush=True)
+    return table
 
 
 def panels(table):
     for time in channel.TIMES:
-        yield (f"plane channel, nu t/H^2 = {time:g} (n = 2H/d)", at(table, "plane-channel", time))
+        yield (f"plane channel, nu t/H^2 = {time:g} (n = 2H/d)",
+               flows.at(table, "plane-channel", time))
     for (case, time), title in PANELS.items():
-        yield title, at(table, case, time)
+        yield title, flows.at(table, case, time)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, default=DEFAULT_OUT, help="folder of what is written")
+    parser.add_argument("--long", action="store_true",
+                        help="RHEO's example at n = 60, too (10 min more)")
+    return parser.parse_args()
 
 
 def main():
-    options = peers.arguments(__doc__).parse_args()
-    own = run_cases()
-    table, compared = peers.run_channel(options.long, only_peers=False)
-    text = peers.write_report(table, compared, options.out)
+    options = arguments()
+    with tempfile.TemporaryDirectory(prefix="aleisph-bench-") as scratch:
+        own = run_examples(Path(scratch))
+        table = run_channel(options.long, Path(scratch))
+    compared = channel_report.ratios(table)
+    text = channel_report.write(table, compared, options.out)
     common.write_csv(options.out / "accuracy.csv", table + own)
     text += "\n" + common.markdown(own, COLUMNS)
     (options.out / "accuracy.md").write_text(text, encoding="ascii")
     plot.figure(list(panels(table + own)), options.out / "accuracy.png",
                 "one process on one core per run; peers with their best-fitting wall position")
     print(text)
-    for line in peers.verdicts(compared):
+    for line in channel_report.verdicts(compared):
         print(line)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -20,9 +20,9 @@ import numpy as np  # noqa: E402
 
 import common  # noqa: E402  (found in bench/lib)
 import dam_break  # noqa: E402
+import patch  # noqa: E402
+import peers_dam_break  # noqa: E402
 import plot  # noqa: E402
-import scene  # noqa: E402
-from dam_break import Setup  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 PATCH = {"variant": "variant", "n": "L/d", "step": "dt", "N": "N", "steps": "steps",
@@ -37,56 +37,16 @@ DAM = {"code": "code", "variant": "settings", "n": "a/d", "step": "dt", "N": "N"
 
 # ---------------------------------------------------------------- rotating patch
 
-def patch_runs(coarse):
-    """(variant, L/d, share of the time step). cfl 0.2, and half of it but for the finest."""
-    for variant in ("accurate", "published"):
-        for n in (25, 50) if coarse else (25, 50, 100):
-            for step in (1, 0.5) if n < 100 else (1,):
-                yield variant, n, step
-
-
-def run_patch(variant, n, step, scratch):
-    folder = scene.EXAMPLES / "square-patch"
-    text = common.run_lammps(folder / "in.square-patch",
-                             {"d": 1 / n, "variant": variant, "cfl": 0.2 * step, "T": 2,
-                              "here": folder, "python": sys.executable, "frames": 0.5}, scratch)
-    last = {line["quantity"]: line for line in common.lines_with(common.RESULT, text)
-            if line["time"] == 2}
-    share = common.cpu_share(text)
-    head = last["p-deviation"]
-    p = last["p"]
-    ratios = {name: last[name]["value"] / last[name]["reference"]
-              for name in ("energy", "angular-momentum", "area")}
-    row = {"case": "square-patch", "code": "aleisph", "variant": variant, "n": n, "step": step,
-           "N": int(head["N"]), "steps": dam_break.steps(text),
-           "seconds": share * head["seconds"], "cpu share": share, "l2": head["linf"],
-           "p(2)": p["value"] - p["reference"], **ratios}
-    print("  " + common.result_line(case="square-patch", variant=variant, quantity="p-deviation",
-                                    time=2, linf=row["l2"], d=1 / n, N=row["N"],
-                                    seconds=row["seconds"], ranks=1), flush=True)
+def run_patch(setup, scratch):
+    row = patch.run_own(setup, scratch)
+    print("  " + common.result_line(case=row["case"], variant=row["variant"],
+                                    quantity="p-deviation", time=2, linf=row["l2"],
+                                    d=1 / row["n"], N=row["N"], seconds=row["seconds"], ranks=1),
+          flush=True)
     return row
 
 
 # ---------------------------------------------------------------- dam break
-
-def dam_setups(coarse):
-    """Ours: slip walls without viscosity, as in the example; and with the Reynolds number and the
-    no-slip walls of RHEO's example. RHEO: as its example; tuned for this flow."""
-    finest = 20 if coarse else 40
-    for n in (5, 10, 20, 40):
-        if n > finest:
-            continue
-        for step in (1, 0.5) if n < 40 else (1,):
-            yield Setup("aleisph", "accurate", n, step, viscous=0)
-        yield Setup("aleisph", "viscous", n)
-        yield Setup("rheo", "example", n)
-        yield Setup("rheo", "tuned", n, **TUNED)
-
-
-# What was found to serve RHEO best: a tenth of the viscosity, three times the time step. A lower
-# Mach number makes the column burst at the start: density summation at the surface is not exact.
-TUNED = {"viscous": 0.1, "step": 3}
-
 
 def series_name(row):
     return f"{row['code']} {row['variant']}"
@@ -151,28 +111,19 @@ def stored(path, case=None):
     if not path.exists():
         return []
     with open(path, encoding="ascii") as lines:
-        rows = [{key: number_or_text(x) for key, x in row.items() if x}
+        rows = [{key: common.number_or_text(x) for key, x in row.items() if x}
                 for row in csv.DictReader(lines)]
     return [row for row in rows if case is None or row["case"] == case]
 
 
-def number_or_text(word):
-    for kind in (int, float):
-        try:
-            return kind(word)
-        except ValueError:
-            pass
-    return word
-
-
-def report(patch, dam, curves, out):
-    rows = [{k: v for k, v in row.items() if k not in ("T", "Z")} for row in patch + dam]
+def report(patches, dam, curves, out):
+    rows = [{k: v for k, v in row.items() if k not in ("T", "Z")} for row in patches + dam]
     common.write_csv(out / "free_surface.csv", rows)
     common.write_csv(out / "free_surface_fronts.csv", curves)
-    text = (f"Rotating patch, omega t = 0.1 to 2\n\n{common.markdown(patch, PATCH)}\n"
+    text = (f"Rotating patch, omega t = 0.1 to 2\n\n{common.markdown(patches, PATCH)}\n"
             f"Dam break, T = 0.41 to 3.33\n\n{common.markdown(dam, DAM)}")
     (out / "free_surface.md").write_text(text, encoding="ascii")
-    panels = [("patch: error of the centre pressure (n = L/d)", patch),
+    panels = [("patch: error of the centre pressure (n = L/d)", patches),
               ("dam break: front, from the experiment (n = a/d)",
                with_error(dam, "rms experiment")),
               ("dam break: front, from each series' finest run",
@@ -198,19 +149,19 @@ def main():
     with tempfile.TemporaryDirectory(prefix="aleisph-bench-") as name:
         scratch = Path(name)
         if options.only == "dam-break":
-            patch = stored(path, "square-patch")
+            patches = stored(path, "square-patch")
         else:
-            patch = [run_patch(*run, scratch / f"patch-{k}")
-                     for k, run in enumerate(patch_runs(options.coarse))]
-            report(patch, stored(path, "dam-break"), stored(fronts), options.out)
+            patches = [run_patch(setup, scratch / f"patch-{k}")
+                       for k, setup in enumerate(patch.patch_runs(options.coarse))]
+            report(patches, stored(path, "dam-break"), stored(fronts), options.out)
         if options.only == "patch":
             dam, curves = stored(path, "dam-break"), stored(fronts)
         else:
             dam = [run_dam(setup, scratch / f"dam-{k}")
-                   for k, setup in enumerate(dam_setups(options.coarse))]
+                   for k, setup in enumerate(peers_dam_break.setups(options.coarse))]
             add_errors(dam)
             curves = list(finest_curves(dam))
-    print(report(patch, dam, curves, options.out))
+    print(report(patches, dam, curves, options.out))
 
 
 if __name__ == "__main__":

@@ -17,21 +17,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent / "lib"))
 
 import common  # noqa: E402  (found in bench/lib)
 import drops  # noqa: E402
+import peers_laplace  # noqa: E402
 import plot  # noqa: E402
-from drops import Setup  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 COLUMNS = {"variant": "variant", "n": "L/d", "step": "dt", "N": "N", "steps": "steps",
            "seconds": "seconds", "l2": "error of p", "velocity": "largest velocity",
            "sphericity": "radius off by [d]", "volume": "volume", "verdict": "failure"}
-
-
-def setups(coarse):
-    for n in (10, 14) if coarse else (10, 14, 20):
-        for step in (1, 0.5) if n < 20 else (1,):
-            yield Setup("accurate", n, step)
-        if n < 20:    # it explodes at any spacing
-            yield Setup("published", n)
 
 
 def run(setup, scratch):
@@ -73,7 +65,7 @@ def main():
     options = arguments()
     rows = []
     with tempfile.TemporaryDirectory(prefix="aleisph-bench-") as name:
-        for k, setup in enumerate(setups(options.coarse)):
+        for k, setup in enumerate(peers_laplace.setups(options.coarse)):
             rows.append(run(setup, Path(name) / str(k)))
             text = report(rows, options.out)
     print(text)

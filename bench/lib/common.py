@@ -100,6 +100,15 @@ def lines_with(tag, text):
     return [fields(line) for line in text.splitlines() if line.startswith(tag + " ")]
 
 
+def number_or_text(word):
+    for kind in (int, float):
+        try:
+            return kind(word)
+        except ValueError:
+            pass
+    return word
+
+
 def read_dump(path):
     """Rows of a text dump with one snapshot."""
     with open(path, encoding="ascii") as dump:
@@ -141,9 +150,12 @@ def fit_wall(profiles, H, G, nu, d):
     profiles: [(y, u, t), ...] of one run. A code whose wall particles do not lie on the wall has a
     no-slip plane somewhere near them; one position per run minimises the sum of squares of L2.
     """
-    def cost(shift):
-        return sum(plane_l2(y, u, H + shift * d, G, nu, t)**2 for y, u, t in profiles)
+    return least_at(lambda shift: sum(plane_l2(y, u, H + shift * d, G, nu, t)**2
+                                      for y, u, t in profiles))
 
+
+def least_at(cost):
+    """Where a function of the shift of a wall is least, within 1.5 d of the nominal one."""
     centre, width = 0.0, 1.5
     for _ in range(4):  # 4 scans of 31 points narrow the range to 1e-4 d, ample for a 1e-4 error
         shifts = centre + width * np.linspace(-1, 1, 31)

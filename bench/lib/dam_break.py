@@ -17,7 +17,8 @@ import common
 import scene
 
 TABLE = Path(__file__).resolve().parents[2] / "tests/reference/dambreak_martin_moyce.csv"
-RHEO = Path(__file__).resolve().parents[1] / "peers/rheo-dam-break.in"
+PEERS = Path(__file__).resolve().parents[1] / "peers"
+RHEO, SPH = PEERS / "rheo-dam-break.in", PEERS / "sph-dam-break.in"
 WIDTH, GRAVITY = 0.2, 9.81  # of the column, of examples/dam-break
 END = 3.4                   # T; the last time of the experiment is 3.33
 
@@ -68,6 +69,17 @@ def run_rheo(setup, folder):
     return text, report["N"], report["seconds"], T, 1 + (x - x[0]) / setup.n
 
 
+def run_sph(setup, folder):
+    """cs = 1, d = 1; dt = 0.1 h/cs as in the example water_collapse, h = 3 d."""
+    g = setup.mach**2 / (4 * setup.n)
+    variables = {"n": setup.n, "g": g, "alpha": setup.zeta, "dt": 0.3 * setup.step, "every": 5,
+                 "end": END * math.sqrt(setup.n / (2 * g)), "sum": 1, **setup.options}
+    text = common.run_lammps(SPH, variables, folder)
+    report = common.lines_with("DAM-BREAK", text)[0]
+    T, x = columns(folder / "series.dam-break", 1, 2)
+    return text, report["N"], report["seconds"], T, 1 + (x - x[0]) / setup.n
+
+
 def run_own(setup, folder):
     text = scene.script("dam-break")
     if setup.viscous:
@@ -90,7 +102,8 @@ def run_own(setup, folder):
 
 def run(setup, folder):
     """A row with the curve of the front in 'T' and 'Z'."""
-    text, N, seconds, T, Z = (run_own if setup.code == "aleisph" else run_rheo)(setup, folder)
+    code = {"aleisph": run_own, "rheo": run_rheo, "sph": run_sph}[setup.code]
+    text, N, seconds, T, Z = code(setup, folder)
     if not np.all(np.isfinite(Z)) or T[-1] < experiment()[0][-1]:
         raise RuntimeError(f"{setup}: no front up to the last time of the experiment")
     share = common.cpu_share(text)

@@ -84,3 +84,52 @@ def figure(panels, path, caption, ylabel="relative L2 error of the velocity", la
     fig.tight_layout(rect=(0, 0.75 / height, 1, 1))
     fig.savefig(path, dpi=100)
     plt.close(fig)
+
+
+# ---------------------------------------------------------------- one page, one colour per code
+
+CODE = {"aleisph": ("#0072B2", "o"), "rheo": ("#D55E00", "s"), "sph": ("#009E73", "^")}
+NAMES = {"aleisph": "this package", "rheo": "LAMMPS RHEO", "sph": "LAMMPS SPH"}
+
+
+def page(panels, path, caption):
+    """panels: [(title, label of the error, rows)]. A filled marker and a full line: the settings
+    that serve the code best; open and dashed: those of its examples, or of a moving frame."""
+    lines = -(-len(panels) // 3)
+    fig, grid = plt.subplots(lines, 3, figsize=(13.0, 3.9 * lines + 0.8), squeeze=False)
+    for axes, (title, label, rows) in zip(grid.flat, panels):
+        page_panel(axes, title, label, rows)
+    for axes in list(grid.flat)[len(panels):]:
+        axes.set_visible(False)
+    handles = [plt.Line2D([], [], color=colour, marker=marker, label=NAMES[code])
+               for code, (colour, marker) in CODE.items()]
+    for style, face, label in (("-", "0.3", "default or tuned"),
+                               ("--", "white", "its example, or ours with moving particles")):
+        handles.append(plt.Line2D([], [], color="0.3", marker="o", markerfacecolor=face,
+                                  linestyle=style, label=label))
+    fig.legend(handles=handles, loc="lower center", ncol=5, fontsize=9, frameon=False,
+               bbox_to_anchor=(0.5, 0.025))
+    fig.text(0.5, 0.012, caption, ha="center", fontsize=8, color="0.35")
+    fig.tight_layout(rect=(0, 0.07, 1, 1))
+    fig.savefig(path, dpi=100)
+    plt.close(fig)
+
+
+def page_panel(axes, title, label, rows):
+    for (name, _, _), group in series_of([row for row in rows if "l2" in row]).items():
+        code, variant = name.split(" ", 1)
+        colour, marker = CODE[code]
+        second = variant == "example" or variant.startswith("lagrangian")
+        axes.plot([r["seconds"] for r in group], [r["l2"] for r in group], marker=marker,
+                  color=colour, markersize=6, linewidth=1.2, linestyle="--" if second else "-",
+                  markerfacecolor="white" if second else colour)
+        for row in group:
+            axes.annotate(f"{row['n']:g}", (row["seconds"], row["l2"]), xytext=(4, 4),
+                          textcoords="offset points", fontsize=7, color=colour)
+    axes.set(xscale="log", yscale="log")
+    axes.set_title(title, fontsize=10)
+    axes.set_xlabel("run time on one core [s]", fontsize=9)
+    axes.set_ylabel(label, fontsize=9)
+    axes.grid(True, which="major", color="0.85", linewidth=0.6)
+    axes.tick_params(which="both", labelsize=8)
+    axes.margins(0.12)

@@ -16,6 +16,17 @@ def script(case):
     return (EXAMPLES / case / f"in.{case}").read_text(encoding="ascii")
 
 
+def with_exact_time(case, folder):
+    """Path of a copy of the script, in the folder, that prints its run time to microseconds."""
+    text, old = script(case), "seconds=$(v_t1-v_t0:%.2f)"
+    if old not in text:
+        raise ValueError(f"in.{case} prints no {old}")
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / f"in.{case}"
+    path.write_text(text.replace(old, "seconds=$(v_t1-v_t0:%.6f)"), encoding="ascii")
+    return path
+
+
 def fix_pattern(name):
     """A fix with its continued lines; LAMMPS joins a line that ends in & with the next."""
     return re.compile(rf"^fix +{re.escape(name)} (?:.*&\n)*.*$", re.M)

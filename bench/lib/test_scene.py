@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Changes to scripts: in the right place, and never silently without effect."""
 
+import tempfile
 import unittest
+from pathlib import Path
+from unittest import mock
 
 import scene
 
@@ -44,6 +47,14 @@ class Changes(unittest.TestCase):
                        lambda: scene.before_run("run 1\n", ["thermo 1"])):
             with self.assertRaises(ValueError):
                 change()
+
+    def test_run_time_is_printed_in_full(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text = scene.with_exact_time("taylor-green", Path(folder)).read_text(encoding="ascii")
+            self.assertIn("seconds=$(v_t1-v_t0:%.6f) ranks", text)
+            with mock.patch.object(scene, "script", return_value=TEXT):
+                with self.assertRaises(ValueError):
+                    scene.with_exact_time("tank", Path(folder))
 
     def test_the_examples_have_what_is_changed(self):
         for case in ("square-patch", "tank", "dam-break"):
