@@ -85,8 +85,7 @@ def run_case(scene, largest, ranks):
         for line in series.lines(row, parts):
             report(line)
         if stated:
-            row["bandwidth [GB/s]"] = max(before, timing.bandwidth()) / 1e9
-            report(series.at_reference(row, 1e9 * row["bandwidth [GB/s]"]))
+            row[series.BANDWIDTH] = max(before, timing.bandwidth()) / 1e9
         rows.append(row)
     for line in series.summary(rows):
         report(line)
@@ -102,7 +101,7 @@ def run_series(options):
     common.write_csv(options.out / "cost-series.csv", rows)
     summary = [line for case in options.case
                for line in series.summary([row for row in rows if row["case"] == case])]
-    names = {"case": "case", "quantity": "quantity", "value": "value"}
+    names = {key: key for key in ("case", "quantity", "value", "N", "from")}
     text = (common.markdown(rows, columns(rows, ("case", "N", "ranks")), digits=3) + "\n"
             + common.markdown(summary, names, digits=3))
     (options.out / "cost-series.md").write_text(text, encoding="ascii")

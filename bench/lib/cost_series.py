@@ -12,7 +12,8 @@ TOLERANCE = 1e-8    # the default of fix aleisph/ppe
 WORK = 2e5          # particle-steps of a run, within the limits of the steps
 FEWEST, MOST = 3, 100
 WARM_UP = 5         # steps before, at most as many as those that are measured
-REFERENCE = 10e9    # bytes per second: a core for which the 3d tank is stated, too
+REFERENCE = 10.0    # GB/s: a core for which the 3d tank is stated, too
+BANDWIDTH = "bandwidth [GB/s]"
 STATED = ("3d-tank", 2e5)
 SAMPLE = "thermo_style custom step\nthermo_modify flush no\nthermo 0\nrun {}\nrun {} pre no\n"
 
@@ -51,11 +52,12 @@ def lines(row, parts):
                "ranks": row["ranks"]}
 
 
-def at_reference(row, bandwidth):
+def at_reference(row):
     """What a core of another bandwidth would need if nothing but bandwidth counted."""
     return {"case": row["case"], "quantity": "microseconds-per-particle-step-at-10GB/s",
-            "N": row["N"], "value": row["total"] * bandwidth / REFERENCE,
-            "measured": row["total"], "bandwidth": bandwidth, "ranks": row["ranks"],
+            "N": row["N"], "value": row["total"] * row[BANDWIDTH] / REFERENCE,
+            "measured": row["total"], "bandwidth-GB/s": row[BANDWIDTH],
+            "ranks": row["ranks"],
             "cpu-share": row["cpu share"]}
 
 
@@ -64,7 +66,7 @@ def slope(rows):
     N = [row["N"] for row in rows]
     value = timing.slope(N, [row["total"] * row["N"] for row in rows])
     return {"case": rows[0]["case"], "quantity": "slope", "value": value, "from": min(N),
-            "to": max(N), "ranks": rows[0]["ranks"]}
+            "N": max(N), "ranks": rows[0]["ranks"]}
 
 
 def memory(rows):
@@ -75,8 +77,9 @@ def memory(rows):
 
 
 def summary(rows):
-    """Slope and memory of the runs of one case."""
+    """Time at the reference, slope and memory of the runs of one case."""
+    stated = [at_reference(row) for row in rows if row.get(BANDWIDTH)]
     if len(rows) < 2:
-        return []
+        return stated
     known = rows[0]["ranks"] == 1 and all(row["peak [MB]"] for row in rows)
-    return [slope(rows), *([memory(rows)] if known else [])]
+    return [*stated, slope(rows), *([memory(rows)] if known else [])]

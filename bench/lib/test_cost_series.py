@@ -35,7 +35,7 @@ class Series(unittest.TestCase):
             self.assertEqual([x["quantity"] for x in series.summary(unknown)], ["slope"])
 
     def test_a_faster_memory_would_be_in_proportion(self):
-        line = series.at_reference(rows()[1], 5e9)
+        line, *_ = series.summary([{**rows()[1], series.BANDWIDTH: 5.0}])
         self.assertAlmostEqual(line["value"], 10.0)
         self.assertAlmostEqual(line["measured"], 20.0)
 
