@@ -19,4 +19,4 @@ add_library(aleisph_styles OBJECT ${style_sources})
 target_include_directories(aleisph_styles PUBLIC
   ${CMAKE_BINARY_DIR}/include ${CMAKE_SOURCE_DIR}/plugin)
 target_link_libraries(aleisph_styles PRIVATE aleisph_options
-                      PUBLIC lammps aleisph_numerics)
+                      PUBLIC lammps aleisph_numerics aleisph_mpi)

@@ -14,9 +14,18 @@ namespace {
 // package are of the size of the diagonal; only that of a singular system comes near zero.
 constexpr double MIN_PIVOT = 1.0e-6;
 
+// a particle may be its own neighbour across a periodic boundary
+double diagonal(const CsrMatrix &A, int i)
+{
+  double sum = A.diag(i);
+  for (int k = A.begin(i); k < A.end(i); k++)
+    if (A.col(k) == i) sum += A.val(k);
+  return sum;
+}
+
 double largest_entry(const CsrMatrix &A, int i)
 {
-  double largest = std::fabs(A.diag(i));
+  double largest = std::fabs(diagonal(A, i));
   for (int k = A.begin(i); k < A.end(i); k++) largest = std::max(largest, std::fabs(A.val(k)));
   return largest;
 }
@@ -55,9 +64,10 @@ class Jacobi : public Preconditioner {
  public:
   Jacobi(const CsrMatrix &A, PrecondReport &report) : inverse_(A.rows())
   {
-    for (int i = 0; i < A.rows(); i++)
-      inverse_[i] = 1.0 /
-          safe_pivot(A.diag(i), A.diag(i), largest_entry(A, i), report.replaced_pivots);
+    for (int i = 0; i < A.rows(); i++) {
+      const double d = diagonal(A, i);
+      inverse_[i] = 1.0 / safe_pivot(d, d, largest_entry(A, i), report.replaced_pivots);
+    }
     report.bytes = held(inverse_);
   }
 
@@ -100,7 +110,7 @@ class Ilu0 : public Preconditioner {
   }
 
  private:
-  // the rank's own block, diagonal apart, rows sorted
+  // the rank's own block, diagonal apart, rows sorted, entries of one column added
   void copy_block(const CsrMatrix &A)
   {
     const int n = A.rows();
@@ -109,10 +119,14 @@ class Ilu0 : public Preconditioner {
     for (int i = 0; i < n; i++) {
       row.clear();
       for (int k = A.begin(i); k < A.end(i); k++)
-        if (A.col(k) < n) row.emplace_back(A.col(k), A.val(k));
+        if (A.col(k) < n && A.col(k) != i) row.emplace_back(A.col(k), A.val(k));
       std::sort(row.begin(), row.end());
       int lower = 0;
       for (const auto &entry : row) {
+        if (col_.size() > static_cast<std::size_t>(begin_.back()) && col_.back() == entry.first) {
+          val_.back() += entry.second;
+          continue;
+        }
         if (entry.first < i) lower++;
         col_.push_back(entry.first);
         val_.push_back(entry.second);
@@ -130,7 +144,8 @@ class Ilu0 : public Preconditioner {
     std::vector<int> place(n, -1);    // of a column in row i
     for (int i = 0; i < n; i++) {
       for (int k = begin_[i]; k < begin_[i + 1]; k++) place[col_[k]] = k;
-      double pivot = A.diag(i);
+      const double d = diagonal(A, i);
+      double pivot = d;
       for (int k = begin_[i]; k < upper_[i]; k++) {
         const int above = col_[k];
         const double factor = val_[k] *= inverse_[above];
@@ -141,7 +156,7 @@ class Ilu0 : public Preconditioner {
             val_[place[col_[m]]] -= factor * val_[m];
         }
       }
-      inverse_[i] = 1.0 / safe_pivot(pivot, A.diag(i), largest_entry(A, i), replaced);
+      inverse_[i] = 1.0 / safe_pivot(pivot, d, largest_entry(A, i), replaced);
       for (int k = begin_[i]; k < begin_[i + 1]; k++) place[col_[k]] = -1;
     }
   }
@@ -160,6 +175,8 @@ bool parse_precond(const std::string &name, PrecondType &type)
     type = PrecondType::JACOBI;
   else if (name == "ilu0")
     type = PrecondType::ILU0;
+  else if (name == "amg")
+    type = PrecondType::AMG;
   else
     return false;
   return true;
@@ -167,7 +184,18 @@ bool parse_precond(const std::string &name, PrecondType &type)
 
 const char *precond_names()
 {
-  return "none, jacobi, ilu0";
+  return "none, jacobi, ilu0, amg";
+}
+
+const char *to_string(PrecondType type)
+{
+  switch (type) {
+    case PrecondType::NONE: return "none";
+    case PrecondType::JACOBI: return "jacobi";
+    case PrecondType::ILU0: return "ilu0";
+    case PrecondType::AMG: return "amg";
+  }
+  return "unknown";
 }
 
 std::unique_ptr<Preconditioner> make_preconditioner(PrecondType type, const CsrMatrix &A,
@@ -176,7 +204,9 @@ std::unique_ptr<Preconditioner> make_preconditioner(PrecondType type, const CsrM
   report = PrecondReport();
   if (type == PrecondType::JACOBI) return std::make_unique<Jacobi>(A, report);
   if (type == PrecondType::ILU0) return std::make_unique<Ilu0>(A, report);
-  return std::make_unique<Identity>(A.rows());
+  if (type == PrecondType::NONE) return std::make_unique<Identity>(A.rows());
+  report.failure = "not made by a rank alone";
+  return nullptr;
 }
 
 }    // namespace aleisph

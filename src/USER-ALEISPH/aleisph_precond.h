@@ -2,7 +2,8 @@
 /* ----------------------------------------------------------------------
    Preconditioners that a rank builds from its own rows: none, jacobi, ilu0
    (Meijerink & van der Vorst, Math. Comput. 31 (1977) 148; couplings to
-   ghosts are left out, so that ranks do not talk).
+   ghosts are left out, so that ranks do not talk). That of all ranks, amg,
+   is in aleisph_mpi_amg.h.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_PRECOND_H
@@ -16,7 +17,8 @@
 
 namespace aleisph {
 
-enum class PrecondType { NONE, JACOBI, ILU0 };
+enum class PrecondType { NONE, JACOBI, ILU0, AMG };
+const char *to_string(PrecondType type);
 
 bool parse_precond(const std::string &name, PrecondType &type);
 const char *precond_names();    // for error messages
@@ -27,7 +29,9 @@ const char *precond_names();    // for error messages
 struct PrecondReport {
   int replaced_pivots = 0;
   double bytes = 0.0;
+  const char *failure = nullptr;    // why there is none
 };
+// Entries of a row with the same column are added. Not for AMG.
 std::unique_ptr<Preconditioner> make_preconditioner(PrecondType type, const CsrMatrix &A,
                                                     PrecondReport &report);
 

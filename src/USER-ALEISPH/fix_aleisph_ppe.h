@@ -24,6 +24,7 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 #include "fix.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -31,6 +32,7 @@ namespace LAMMPS_NS {
 class FixAleisphPPE : public Fix {
  public:
   FixAleisphPPE(class LAMMPS *, int, char **);
+  ~FixAleisphPPE() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -38,21 +40,24 @@ class FixAleisphPPE : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
   double memory_usage() override;
+  void write_restart_file(const char *) override;
 
  private:
   struct Params {
     aleisph::KrylovParams krylov;
     aleisph::PrecondType precond;
-    bool automatic, error_on_failure;
+    bool automatic, reuse, error_on_failure;
   };
 
   void parse(int narg, char **arg);
+  void parse_preconditioner(const std::string &value);
   void assemble();
   aleisph::PpeOptions options() const;
   void choose_preconditioner();
   void right_hand_side();
   void solve();
   double rounding_level() const;
+  void tell_fallback();
   void act_on(const aleisph::SolveReport &report);
   void correct_velocity();
   void release_ballistic();
@@ -64,12 +69,10 @@ class FixAleisphPPE : public Fix {
   bigint version_;    // of the positions that the matrix belongs to
   bool closed_;       // no pressure is prescribed anywhere
   aleisph::CsrMatrix matrix_;
-  std::unique_ptr<aleisph::Preconditioner> precond_;
-  aleisph::PrecondReport precond_report_;
-  aleisph::BiCGStab krylov_;
+  std::unique_ptr<class AleisphHaloSolver> solver_;
   aleisph::SolveReport report_;
   std::vector<double> rhs_, div_, grad_, p_;
-  long failures_, total_iterations_;
+  long failures_;
 };
 
 }    // namespace LAMMPS_NS

@@ -83,6 +83,7 @@ TEST(Counters, LagrangianBuildsOnceAStep)
     Simulation sim(scene);
     Script script = script_of(scene);
     script.predictor += std::string(" nu 0.1") + frame;
+    script.ppe += " reuse no";
     sim.run(script.text() + STIR + "run 20");
     EXPECT_EQ(builds(sim), each(21));              // and once for the set-up
     EXPECT_EQ(reported(sim, "wall passes"), 1);    // walls at rest keep their normals
@@ -95,6 +96,24 @@ TEST(Counters, LagrangianBuildsOnceAStep)
   }
 }
 
+// A preconditioner is kept while the particles move a little
+TEST(Counters, PreconditionerIsKept)
+{
+  const Scene scene = channel(5, 10);
+  double kept = 0.0, fresh = 0.0;
+  for (const char *reuse : {"yes", "no"}) {
+    Simulation sim(scene);
+    Script script = script_of(scene);
+    script.ppe += std::string(" reuse ") + reuse;
+    sim.run(script.text() + STIR + "run 20");
+    (*reuse == 'y' ? kept : fresh) = sim.fix("sph", 10);
+    EXPECT_EQ(sim.fix("ppe", 10), sim.fix("sph", 10));
+    EXPECT_EQ(sim.fix("ppe", 11), 0.0);    // no solve needed Jacobi
+  }
+  EXPECT_EQ(fresh, 21.0);
+  EXPECT_LT(kept, 11.0);
+}
+
 // Walls that move change the geometry in an Eulerian frame, too
 TEST(Counters, EulerianWithMovingWall)
 {
@@ -103,6 +122,7 @@ TEST(Counters, EulerianWithMovingWall)
   Script script = script_of(scene);
   script.wall += "\nfix m wall move linear 0.5 0 0";
   script.predictor += " frame eulerian nu 0.1";
+  script.ppe += " reuse no";
   sim.run(script.text() + STIR + "run 10");
   EXPECT_EQ(builds(sim), each(11));
   EXPECT_EQ(reported(sim, "wall passes"), 11);

@@ -11,6 +11,7 @@
    1e-13 * 15 g dt = 1.5e-12 g dt. The required 1e-11 leaves a factor 6.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_mpi_amg.h"
 #include "script.h"
 #include "simulation.h"
 
@@ -93,7 +94,8 @@ TEST(ClosedTank, EveryKernelAndSmoothingLength)
 // any preconditioner leads to the same solution
 TEST(ClosedTank, EveryPreconditioner)
 {
-  for (const char *name : {"auto", "none", "jacobi", "ilu0"}) {
+  for (const std::string name : {"auto", "none", "jacobi", "ilu0", "amg"}) {
+    if (name == "amg" && !aleisph::amg_available()) continue;
     SCOPED_TRACE(name);
     const Scene scene = tank(2, 10).jitter(0.2);
     Simulation sim(scene);

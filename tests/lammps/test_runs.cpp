@@ -199,7 +199,7 @@ TEST(Runs, OutputOfPredictorBeforeTheFirstRun)
 }
 TEST(Runs, OutputOfSolverBeforeTheFirstRun)
 {
-  expect_outputs("ppe", 9, false);
+  expect_outputs("ppe", 11, false);
 }
 TEST(Runs, OutputOfPredictorWithoutItsOwner)
 {
@@ -207,7 +207,7 @@ TEST(Runs, OutputOfPredictorWithoutItsOwner)
 }
 TEST(Runs, OutputOfSolverWithoutItsOwner)
 {
-  expect_outputs("ppe", 9, true);
+  expect_outputs("ppe", 11, true);
 }
 
 // LAMMPS replaces a fix that is defined again under its name

@@ -471,7 +471,9 @@ TEST(Surface, BuildsOnceAStep)
 {
   const Scene scene = open_tank(2, 8);
   Simulation sim(scene);
-  sim.run(tank_script(scene).text() +
+  Script script = tank_script(scene);
+  script.ppe += " reuse no";
+  sim.run(script.text() +
           "compute c all aleisph/atom surface rho nx ux\ncompute r all reduce max c_c[*]\n"
           "thermo_style custom step f_surf[*] f_shift[*] c_r[*]\nthermo 1\nrun 20");
   for (int k = 7; k <= 11; k++) EXPECT_EQ(sim.fix("sph", k), 21.0);

@@ -230,7 +230,9 @@ TEST(TensionCost, BuildsOnceAStep)
 {
   const Scene scene = disc(5);
   Simulation sim(scene);
-  sim.run(tension_script(scene, "filter 0.5").text() + FIELDS +
+  Script script = tension_script(scene, "filter 0.5");
+  script.ppe += " reuse no";
+  sim.run(script.text() + FIELDS +
           "thermo_style custom step f_tens[*] f_surf[*]\nthermo 1\nrun 10");
   for (int k = 7; k <= 11; k++) EXPECT_EQ(sim.fix("sph", k), 11.0) << k;
 }

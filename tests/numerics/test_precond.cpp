@@ -73,7 +73,14 @@ TEST(Preconditioner, Names)
   EXPECT_FALSE(parse_precond("ilu", type));
   EXPECT_FALSE(parse_precond("", type));
   EXPECT_EQ(type, PrecondType::ILU0);
-  EXPECT_STREQ(precond_names(), "none, jacobi, ilu0");
+  EXPECT_TRUE(parse_precond("amg", type));
+  EXPECT_EQ(type, PrecondType::AMG);
+  EXPECT_STREQ(precond_names(), "none, jacobi, ilu0, amg");
+  for (PrecondType each :
+       {PrecondType::NONE, PrecondType::JACOBI, PrecondType::ILU0, PrecondType::AMG}) {
+    ASSERT_TRUE(parse_precond(to_string(each), type));
+    EXPECT_EQ(type, each);
+  }
 }
 
 TEST(Preconditioner, NoneAndJacobi)
@@ -146,6 +153,46 @@ TEST(Preconditioner, Ilu0UsesTheOwnBlockOnly)
   PrecondReport report;
   const Vector z = apply(PrecondType::ILU0, part, r, report);
   EXPECT_LE((z - substitute(reference_ilu0(block), r)).cwiseAbs().maxCoeff(), 1.0e-14);
+}
+
+// entries of a row with the same column, its own one included, count together
+TEST(Preconditioner, EqualColumnsAreAdded)
+{
+  const Sparse A = random_matrix(50, 5, 9);
+  std::vector<int> ptr = {0}, col;
+  std::vector<double> values;
+  const auto put = [&](int j, double value) {
+    col.push_back(j);
+    values.push_back(value);
+  };
+  for (int i = 0; i < 50; i++) {
+    for (Sparse::InnerIterator it(A, i); it; ++it)
+      put(static_cast<int>(it.col()), 0.25 * it.value());
+    for (Sparse::InnerIterator it(A, i); it; ++it)
+      if (it.col() != i) put(static_cast<int>(it.col()), 0.75 * it.value());
+    ptr.push_back(static_cast<int>(col.size()));
+  }
+  CsrMatrix twice;
+  twice.reset(50, ptr.data(), col.data());
+  for (size_t k = 0; k < values.size(); k++) twice.val(static_cast<int>(k)) = values[k];
+  for (int i = 0; i < 50; i++) twice.diag(i) = 0.75 * A.coeff(i, i);
+
+  Matrix once(A);
+  const Vector r = random_vector(50, 10);
+  for (PrecondType type : {PrecondType::JACOBI, PrecondType::ILU0}) {
+    PrecondReport report;
+    const Vector expected = apply(type, once.csr(), r, report);
+    // quarters and three quarters add up exactly or to within rounding
+    EXPECT_LE((apply(type, twice, r, report) - expected).cwiseAbs().maxCoeff(), 1.0e-14);
+  }
+}
+
+TEST(Preconditioner, MultigridIsMadeElsewhere)
+{
+  Matrix matrix(random_matrix(10, 3, 1));
+  PrecondReport report;
+  EXPECT_EQ(make_preconditioner(PrecondType::AMG, matrix.csr(), report), nullptr);
+  EXPECT_NE(report.failure, nullptr);
 }
 
 TEST(Preconditioner, KeepsItsValuesWhenTheMatrixChanges)

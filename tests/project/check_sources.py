@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Rules on the sources that no compiler checks: check_sources.py RULE
 
-dependencies  numerics (aleisph_*) include only numerics, the standard library and Eigen, those
-              that are called aleisph_mpi_* also MPI; a style (fix_*, compute_*) includes numerics,
-              LAMMPS and the owner, but no other style
+dependencies  numerics (aleisph_*) include only numerics, the standard library and Eigen, those of
+              several ranks (aleisph_mpi_*) MPI and hypre, too; a style (fix_*, compute_*) includes
+              numerics, LAMMPS and the owner, but no other style
 headers       file heads: the licence line; include guards LMP_<FILE NAME>_H
 ascii         source, scripts, examples and documentation are plain ASCII
 names         no header of ours has the name of one of LAMMPS' headers
@@ -18,7 +18,8 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 PACKAGE = TOP / "src" / "USER-ALEISPH"
-OWNER = {"fix_aleisph.h", "aleisph_halo_operator.h"}    # the owner and what it lends to styles
+# the owner and what it lends to styles
+OWNER = {"fix_aleisph.h", "aleisph_halo_operator.h", "aleisph_halo_solver.h"}
 LICENCE = "SPDX-License-Identifier: GPL-2.0-only"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STYLE = re.compile(r"^(fix|compute)_.*\.h$")
@@ -51,12 +52,12 @@ def includes(path):
 
 
 def wrong_in_numerics(path, system, name):
-    parallel = path.name.startswith("aleisph_mpi_")
+    ranks = path.name.startswith("aleisph_mpi_")
     if not system:
         return (not name.startswith("aleisph_") or name in OWNER
-                or name.startswith("aleisph_mpi_") and not parallel)
-    if name == "mpi.h":
-        return not parallel
+                or name.startswith("aleisph_mpi_") and not ranks)
+    if ranks and (name == "mpi.h" or name.startswith("HYPRE")):
+        return False
     if name.startswith("Eigen/") or name == "math.h":    # math.h: Bessel functions of POSIX
         return False
     return "/" in name or name.endswith(".h")
@@ -71,8 +72,7 @@ def dependencies():
     for path in package_files():
         numerics = path.name.startswith("aleisph_") and path.name not in OWNER
         for number, system, name in includes(path):
-            bad = (wrong_in_numerics(path, system, name) if numerics
-                   else wrong_in_style(path, name))
+            bad = wrong_in_numerics(path, system, name) if numerics else wrong_in_style(path, name)
             if bad:
                 yield path, number, f"must not include {name}"
 

@@ -8,6 +8,7 @@
 # this again changes nothing more:
 #   src/USER-ALEISPH       link to (with --copy: copy of) the package
 #   cmake/CMakeLists.txt   the package in STANDARD_PACKAGES, and where its sources find Eigen
+#                          and, where there is one, hypre
 # Then build LAMMPS as usual with  cmake -DPKG_USER-ALEISPH=on <your options> LAMMPS/cmake
 set -euo pipefail
 
@@ -53,6 +54,13 @@ if(PKG_USER-ALEISPH)
   find_package(Eigen3 REQUIRED NO_MODULE)
   target_include_directories(lammps SYSTEM PRIVATE
     $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+  find_path(HYPRE_INCLUDE_DIR HYPRE_parcsr_ls.h PATH_SUFFIXES hypre)
+  find_library(HYPRE_LIBRARY HYPRE)
+  if(BUILD_MPI AND HYPRE_INCLUDE_DIR AND HYPRE_LIBRARY)    # multigrid
+    target_compile_definitions(lammps PRIVATE ALEISPH_HYPRE)
+    target_include_directories(lammps SYSTEM PRIVATE ${HYPRE_INCLUDE_DIR})
+    target_link_libraries(lammps PRIVATE ${HYPRE_LIBRARY})
+  endif()
 endif()
 CMAKE
 fi

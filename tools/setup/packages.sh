@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-only
 # Debian packages that the set-up needs. Sourced, not run.
 
-PACKAGES_BUILD=(cmake ninja-build g++ libopenmpi-dev openmpi-bin libeigen3-dev libgtest-dev
+PACKAGES_BUILD=(cmake ninja-build g++ libopenmpi-dev openmpi-bin libeigen3-dev libhypre-dev libgtest-dev
   python3 python3-numpy python3-matplotlib libopenblas-dev liblapack-dev xz-utils)
 # makes a second build of LAMMPS (the in-tree test) cheap; nothing depends on it
 PACKAGES_EXTRA=(ccache)
@@ -55,7 +55,7 @@ require_commands() {
     have "$command" || missing+=("$command")
   done
   [ "${#missing[@]}" -eq 0 ] || die "this system has no apt-get; install by its own means: \
-${missing[*]}, and the libraries Eigen 3, GoogleTest, OpenBLAS and LAPACK with their headers
+${missing[*]}, and the libraries Eigen 3, GoogleTest, OpenBLAS and LAPACK with their headers, and best hypre
 (in Debian: ${PACKAGES_BUILD[*]})"
 }
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   BiCGSTAB with a preconditioner that is kept while it works.
+
+   A preconditioner built for one matrix is a good one for the matrices of
+   later steps, as long as the rows are the same particles in the same order.
+   It is built anew when that has changed; when the iterations that it has
+   cost beyond the fewest since it was built add up to the cost of a build;
+   when a solve fails. A solve that fails with a new one, too, is done once
+   more with Jacobi. All decisions are taken on global sums and on numbers of
+   iterations, never on measured time, so that runs are reproducible.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_LINEAR_SOLVER_H
+#define LMP_ALEISPH_LINEAR_SOLVER_H
+
+#include "aleisph_krylov.h"
+#include "aleisph_precond.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace aleisph {
+
+class LinearSolver {
+ public:
+  // Builds a preconditioner of this type for the present matrix, on all ranks together; null, on
+  // all ranks together, with report.failure set, if that is not possible.
+  using Maker = std::function<std::unique_ptr<Preconditioner>(PrecondType, PrecondReport &)>;
+  struct Counts {
+    long builds = 0;        // of preconditioners, those of Jacobi after a failure included
+    long fallbacks = 0;     // solves that were repeated with Jacobi
+    long iterations = 0;    // of all attempts
+  };
+
+  void set_type(PrecondType type);
+  PrecondType type() const { return type_; }
+  void set_reuse(bool reuse) { reuse_ = reuse; }
+
+  // The matrix has changed; row_ids: of the owned rows in their order
+  void matrix_changed(std::vector<std::int64_t> row_ids);
+  // The preconditioner does not outlive the present matrix, so that the next solves are those of a
+  // solver that starts with the next matrix.
+  void forget() { forget_ = true; }
+
+  // As BiCGStab::solve(). The iterations and restarts reported are those of all attempts; each
+  // attempt has params.max_iterations, one with a kept preconditioner less.
+  SolveReport solve(LinearOperator &A, const Maker &make, const InnerProduct &ip, const double *b,
+                    double *x, const KrylovParams &params);
+
+  const Counts &counts() const { return counts_; }
+  const PrecondReport &precond_report() const { return precond_report_; }
+  // why the last solve needed Jacobi, null if it did not
+  const char *fallback_reason() const { return fallback_reason_; }
+  double bytes() const;
+
+ private:
+  void settle_stale(const InnerProduct &ip);
+  bool build(PrecondType type, const Maker &make);
+  void attempt(LinearOperator &A, const InnerProduct &ip, const double *b, double *x,
+               KrylovParams params, SolveReport &total);
+  void judge(int iterations);
+  int attempt_limit(int max_iterations) const;
+  bool old() const { return age_ > 0; }
+
+  PrecondType type_ = PrecondType::ILU0;
+  bool reuse_ = true;
+  bool changed_ = true;    // matrix, since the last solve
+  bool stale_ = true;      // of this rank, until the next solve
+  bool forget_ = false;
+  int age_ = 0;       // matrices since the build
+  int fewest_ = 0;    // iterations of a solve since the build
+  int excess_ = 0;    // iterations beyond these since the build
+  std::vector<std::int64_t> row_ids_;
+  std::unique_ptr<Preconditioner> precond_;
+  PrecondReport precond_report_;
+  const char *fallback_reason_ = nullptr;
+  BiCGStab krylov_;
+  Counts counts_;
+};
+
+}    // namespace aleisph
+#endif
