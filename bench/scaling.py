@@ -19,14 +19,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parent / "lib"))
 
 import common  # noqa: E402  (found in bench/lib)
 import scaling_model as model  # noqa: E402
-import scene  # noqa: E402
+import sizes  # noqa: E402
 import timing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-END = "\n# --- measurements"     # of the part of the example that is used
-# particles of the strong and of the weak series: spacings across the tank
-SIZES = {2: {1e5: 446, 5e4: 316}, 3: {1e5: 58, 5e4: 46}}
-COUNTED = {2: 140, 3: 26}        # 1e4 particles, for messages
+SCENES = {2: sizes.TANK_2D, 3: sizes.TANK_3D}
+FEW = {2: 316, 3: 46}            # spacings across a tank of 5e4 particles
 WARM_UP = 2                      # steps before those that count
 MODEL_RANKS = (1000, 10000)
 MODEL_PARTICLES = (1e4, 1e5)     # per rank
@@ -43,13 +41,10 @@ run {steps}
 
 
 def script(dimension, ranks, steps):
-    text = scene.script("tank")
-    if text.count(END) != 1:
-        raise ValueError(f"examples/tank has no single line '{END.strip()}'")
     grid = "* * 1" if dimension == 2 else "* * *"
     if ranks <= 2:
         grid = f"{ranks} 1 1"    # across the tank: no rank has the air
-    return (HEAD.format(grid=grid) + text[:text.index(END) + 1]
+    return (HEAD.format(grid=grid) + SCENES[dimension].head()
             + TAIL.format(axes="xyz"[:dimension], steps=steps, warm_up=WARM_UP))
 
 
@@ -58,7 +53,7 @@ def run(dimension, n, ranks, options):
     with tempfile.TemporaryDirectory(prefix="aleisph-bench-") as scratch:
         folder = Path(scratch)
         (folder / "in.tank").write_text(script(dimension, ranks, options.steps), encoding="ascii")
-        variables = {"dim": dimension, "n": n, "tol": options.tol}
+        variables = {**SCENES[dimension].fixed, "n": n, "tol": options.tol}
         text = common.run_lammps(folder / "in.tank", variables, folder, ranks)
     seconds, loop, steps, atoms = timing.last_block(text)
     return {"dimension": dimension, "N": atoms, "ranks": ranks, "seconds": loop / steps,
@@ -88,9 +83,9 @@ def quickest(cases, options):
 
 def series(dimension, options):
     """Rows of the strong and of the weak series, with efficiency."""
-    size = SIZES[dimension]
-    one, two, half = quickest([(dimension, size[1e5], 1), (dimension, size[1e5], 2),
-                               (dimension, size[5e4], 1)], options)
+    many = SCENES[dimension].sizes[1e5]
+    one, two, half = quickest([(dimension, many, 1), (dimension, many, 2),
+                               (dimension, FEW[dimension], 1)], options)
     rows = [{"series": "strong", **one}, {"series": "strong", **two},
             {"series": "weak", **half}, {"series": "weak", **two}]
     for row in rows:
@@ -112,7 +107,7 @@ def report_series(rows):
 def step_of(one, options):
     """What the model needs: seconds from a run on one rank, counts from 2^dimension ranks."""
     dimension = one["dimension"]
-    many = run(dimension, COUNTED[dimension], 2**dimension, options)
+    many = run(dimension, SCENES[dimension].sizes[1e4], 2**dimension, options)
     return model.Step(dimension=dimension,
                       seconds=(one["seconds"] - one["communication"]) / one["N"],
                       particles=many["N"] / many["ranks"], reductions=many["reductions"],

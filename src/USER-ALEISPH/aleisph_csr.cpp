@@ -2,6 +2,7 @@
 
 #include "aleisph_csr.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace aleisph {
@@ -24,9 +25,10 @@ int RowRuns::rows() const
 RowSplit split_rows(int rows, const int *ptr, const int *col, const std::vector<char> &awaited)
 {
   RowSplit split;
+  const bool any = std::any_of(awaited.begin(), awaited.end(), [](char wait) { return wait != 0; });
   for (int i = 0; i < rows; i++) {
     bool waits = false;
-    for (int k = ptr[i]; k < ptr[i + 1] && !waits; k++)
+    for (int k = ptr[i]; any && k < ptr[i + 1] && !waits; k++)
       waits = col[k] >= rows && awaited[col[k] - rows];
     (waits ? split.boundary : split.interior).add(i);
   }

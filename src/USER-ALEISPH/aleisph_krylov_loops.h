@@ -15,9 +15,9 @@ namespace aleisph {
 
 // four consecutive entries of a vector; any instruction set will do
 #if defined(__GNUC__)
-typedef double Pack __attribute__((vector_size(32), aligned(8), may_alias));
+typedef double Quad __attribute__((vector_size(32), aligned(8), may_alias));
 #else
-typedef double Pack;
+typedef double Quad;
 #endif
 
 struct EntryAt {
@@ -25,27 +25,27 @@ struct EntryAt {
   double operator()(const double *v) const { return v[i]; }
 };
 
-// the pack from i on
-struct PackAt {
+// the four from i on
+struct QuadAt {
   std::size_t i;
-  const Pack &operator()(const double *v) const { return *reinterpret_cast<const Pack *>(v + i); }
+  const Quad &operator()(const double *v) const { return *reinterpret_cast<const Quad *>(v + i); }
 };
 
 // sums[m] = sum over i < n of term m; terms(at, out) writes the M terms of what at(vector) gives
 template <int M, class Terms> void sum_terms(std::size_t n, double *sums, const Terms &terms)
 {
-  constexpr std::size_t LANES = sizeof(Pack) / sizeof(double);
-  Pack part[M] = {}, pack[M];
+  constexpr std::size_t width = sizeof(Quad) / sizeof(double);
+  Quad part[M] = {}, quad[M];
   double term[M];
   std::size_t i = 0;
-  for (; i + LANES <= n; i += LANES) {
-    terms(PackAt{i}, pack);
-    for (int m = 0; m < M; m++) part[m] += pack[m];
+  for (; i + width <= n; i += width) {
+    terms(QuadAt{i}, quad);
+    for (int m = 0; m < M; m++) part[m] += quad[m];
   }
   for (int m = 0; m < M; m++) {
     sums[m] = 0.0;
     const double *lane = reinterpret_cast<const double *>(&part[m]);
-    for (std::size_t l = 0; l < LANES; l++) sums[m] += lane[l];
+    for (std::size_t l = 0; l < width; l++) sums[m] += lane[l];
   }
   for (; i < n; i++) {
     terms(EntryAt{i}, term);
