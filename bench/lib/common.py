@@ -69,8 +69,13 @@ def attempt_lammps(script, variables, folder, ranks=1, limit=None):
             process.wait()
             failure = f"stopped after {limit:g} s"
     text = (folder / "output").read_text(encoding="ascii", errors="replace")
-    named = re.search(r"^ERROR.*?(?= \(src/|$)", text, re.MULTILINE)  # without the line in LAMMPS
-    return text, named[0].strip() if failure and named else failure
+    return text, (error_of(text) or failure) if failure else ""
+
+
+def error_of(text):
+    """The first error that LAMMPS named, without the line in its source; "" if there is none."""
+    named = re.search(r"^ERROR.*?(?= \(src/|$)", text, re.MULTILINE)
+    return named[0].strip() if named else ""
 
 
 def cpu_share(text):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Dam break of dam_break.py: front against the experiment, each run with its best delay."""
 
+import common
 import dam_break
 from dam_break import Setup
 
@@ -45,7 +46,7 @@ def run(setup, folder):
     except RuntimeError as error:
         if setup.code == "aleisph":
             raise
-        return [{**row, "failure": str(error).splitlines()[-1][:60]}]
+        return [{**row, "failure": common.error_of(str(error)) or str(error)}]
     T, Z = found.pop("T"), found.pop("Z")
     found.update(dam_break.errors({"T": T, "Z": Z}, {}))
     return [{**row, **found, "l2": found["rms delayed"]}]

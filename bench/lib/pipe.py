@@ -108,7 +108,7 @@ def sph(variant, n, mach, factor):
 def peer_setups(quick):
     """RHEO with the settings of its example would take 14 times as long as tuned: left out."""
     for n in (10,) if quick else (10, 16, 20):
-        yield sph("tuned", n, 0.1, 3)
+        yield sph("tuned", n, 0.1, 2)   # 3, as on the channel, loses the fluid
     if not quick:
         yield sph("example", 10, 0.028, 1)
     for n in (10,) if quick else (10, 16):

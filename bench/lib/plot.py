@@ -119,7 +119,7 @@ def page_panel(axes, title, label, rows):
     for (name, _, _), group in series_of([row for row in rows if "l2" in row]).items():
         code, variant = name.split(" ", 1)
         colour, marker = CODE[code]
-        second = variant == "example" or variant.startswith("lagrangian")
+        second = variant in ("example", "ale") or variant.startswith("lagrangian")
         axes.plot([r["seconds"] for r in group], [r["l2"] for r in group], marker=marker,
                   color=colour, markersize=6, linewidth=1.2, linestyle="--" if second else "-",
                   markerfacecolor="white" if second else colour)

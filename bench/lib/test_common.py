@@ -56,6 +56,13 @@ class Comparison(unittest.TestCase):
         self.assertEqual(common.error_at_time(self.points, 0.1), (None, None))
 
 
+class Errors(unittest.TestCase):
+    def test_the_first_error_without_its_line_in_the_source(self):
+        text = "Step 1\nERROR: Lost atoms: 9 (src/thermo.cpp:512)\nERROR on proc 0: other\n"
+        self.assertEqual(common.error_of(text), "ERROR: Lost atoms: 9")
+        self.assertEqual(common.error_of("no ERROR here\n"), "")
+
+
 class Timing(unittest.TestCase):
     def test_share_of_the_core_is_weighted_with_time(self):
         text = ("Loop time of 3 on 1 procs for 1 steps with 2 atoms\n99.0% CPU use with 1 MPI\n"
