@@ -4,8 +4,7 @@
 # style stands in one place only, the FixStyle or ComputeStyle macro of its header.
 
 file(GLOB style_sources CONFIGURE_DEPENDS
-     ${ALEISPH_PACKAGE_DIR}/fix_*.cpp ${ALEISPH_PACKAGE_DIR}/compute_*.cpp
-     ${ALEISPH_PACKAGE_DIR}/aleisph_mpi_*.cpp)
+     ${ALEISPH_PACKAGE_DIR}/fix_*.cpp ${ALEISPH_PACKAGE_DIR}/compute_*.cpp)
 file(GLOB style_headers RELATIVE ${ALEISPH_PACKAGE_DIR} CONFIGURE_DEPENDS
      ${ALEISPH_PACKAGE_DIR}/fix_*.h ${ALEISPH_PACKAGE_DIR}/compute_*.h)
 

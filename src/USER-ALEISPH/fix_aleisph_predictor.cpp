@@ -467,9 +467,11 @@ void FixAleisphPredictor::assemble_viscous()
       viscous_.val(k) = share * weight[k];
     }
   for (const int i : disc.buffer())
-    for (const auto *condition : owner_->velocity_conditions())
-      for (int k = s.begin(i); k < s.end(i); k++)
-        if (s.col()[k] == condition->source(i)) viscous_.val(k) = -1.0;
+    for (const auto *condition : owner_->velocity_conditions()) {
+      const int *const end = s.col() + s.end(i);
+      const int *const place = std::find(s.col() + s.begin(i), end, condition->source(i));
+      if (place != end) viscous_.val(static_cast<int>(place - s.col())) = -1.0;
+    }
 
   aleisph::PrecondReport report;
   precond_ = aleisph::make_preconditioner(aleisph::PrecondType::ILU0, viscous_, report);
