@@ -130,8 +130,10 @@ void FixAleisphPPE::choose_preconditioner()
   solver.set_reuse(params_.reuse);
   solver.forget();
   if (params_.automatic && comm->me == 0)
-    utils::logmesg(lmp, "Fix aleisph/ppe: preconditioner {} for {} unknowns\n",
-                   to_string(params_.precond), atom->natoms);
+    utils::logmesg(lmp,
+                   fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns",
+                               to_string(params_.precond), atom->natoms) +
+                       "\n");
 }
 
 // The continued run starts with a new preconditioner: so must this one, for the same results
