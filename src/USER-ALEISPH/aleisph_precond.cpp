@@ -195,7 +195,7 @@ const char *to_string(PrecondType type)
     case PrecondType::ILU0: return "ilu0";
     case PrecondType::AMG: return "amg";
   }
-  return "unknown";
+  return "";
 }
 
 std::unique_ptr<Preconditioner> make_preconditioner(PrecondType type, const CsrMatrix &A,

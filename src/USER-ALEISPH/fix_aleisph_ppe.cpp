@@ -118,7 +118,6 @@ void FixAleisphPPE::init()
   choose_preconditioner();
 }
 
-// A run begins with a preconditioner of its own
 void FixAleisphPPE::choose_preconditioner()
 {
   if (params_.automatic)
@@ -128,10 +127,11 @@ void FixAleisphPPE::choose_preconditioner()
   auto &solver = solver_->solver();
   solver.set_type(params_.precond);
   solver.set_reuse(params_.reuse);
-  solver.forget();
   if (params_.automatic && comm->me == 0)
-    utils::logmesg(lmp, "Fix aleisph/ppe: preconditioner {} for {} unknowns\n",
-                   to_string(params_.precond), atom->natoms);
+    utils::logmesg(lmp,
+                   fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns",
+                               to_string(params_.precond), atom->natoms) +
+                       "\n");
 }
 
 // The continued run starts with a new preconditioner: so must this one, for the same results

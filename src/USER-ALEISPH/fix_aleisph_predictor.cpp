@@ -6,7 +6,7 @@
 
 #include "fix_aleisph_predictor.h"
 
-#include "aleisph_halo_operator.h"
+#include "aleisph_halo_solver.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -24,6 +24,7 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using aleisph::Part;
+using aleisph::PrecondType;
 using aleisph::StepBound;
 
 namespace {
@@ -34,22 +35,26 @@ constexpr char TRANSPORT_FIX[] = "ALEISPH_W";
 constexpr char TRANSPORT[] = "aleisph_w";
 constexpr char SHIFT_FIX[] = "ALEISPH_U";
 constexpr char SHIFT[] = "aleisph_u";
+// From this theta nu dt/d^2 on ILU(0), kept over some steps, takes less time than Jacobi
+constexpr double MIN_ILU_NUMBER = 0.5;
+constexpr long MAX_WARNINGS = 3;
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::VISCOUS)];
 
 }    // namespace
 
 FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), viscous_limit_(0.0), previous_dt_(0.0),
-    viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
+    solver_(std::make_unique<AleisphHaloSolver>()), viscous_version_(-1), viscous_dt_(0.0),
+    viscous_iterations_(0)
 {
   parse(narg, arg);
   check_transport();
 
   time_integrate = 1;
-  restart_global = 1;
+  restart_global = restart_file = 1;    // the second: to be told when one is written
   nevery = 1;
   vector_flag = 1;
-  size_vector = 5;
+  size_vector = 6;
   global_freq = 1;
   extvector = 0;
 }
@@ -105,12 +110,27 @@ void FixAleisphPredictor::parse(int narg, char **arg)
       params_.tolerance = utils::numeric(FLERR, value, false, lmp);
       if (!(params_.tolerance > 0.0) || !(params_.tolerance < 1.0))
         error->all(FLERR, "Fix aleisph/predictor: tol must lie between 0 and 1, not {}", value);
+    } else if (key == "preconditioner") {
+      parse_preconditioner(value);
     } else if (key == "transport") {
       for (int a = 0; a < 3; a++) params_.transport[a] = arg[iarg + 1 + a];
     } else
       error->all(FLERR, "Fix aleisph/predictor: unknown keyword {}", key);
     iarg += 1 + nvalues;
   }
+}
+
+// of the implicit solve
+void FixAleisphPredictor::parse_preconditioner(const std::string &value)
+{
+  params_.automatic = value == "auto";
+  if (!params_.automatic && !aleisph::parse_precond(value, params_.precond))
+    error->all(FLERR, "Fix aleisph/predictor: unknown preconditioner {}, use auto or one of {}",
+               value, aleisph::precond_names());
+  if (!params_.automatic && params_.precond == PrecondType::AMG && !aleisph::amg_available())
+    error->all(FLERR,
+               "Fix aleisph/predictor: preconditioner amg needs the library hypre, and this "
+               "program was compiled without it");
 }
 
 void FixAleisphPredictor::check_transport() const
@@ -473,8 +493,11 @@ void FixAleisphPredictor::assemble_viscous()
       if (place != end) viscous_.val(static_cast<int>(place - s.col())) = -1.0;
     }
 
-  aleisph::PrecondReport report;
-  precond_ = aleisph::make_preconditioner(aleisph::PrecondType::ILU0, viscous_, report);
+  if (params_.automatic)
+    params_.precond = params_.theta * viscous_number() >= MIN_ILU_NUMBER ? PrecondType::ILU0
+                                                                         : PrecondType::JACOBI;
+  solver_->solver().set_type(params_.precond);
+  solver_->matrix_changed(atom);
   owner_->tally().viscous_builds++;
   viscous_version_ = owner_->version();
   viscous_dt_ = update->dt;
@@ -492,15 +515,14 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
 
   const double *v = owner_->velocity();
   std::vector<double> b(atom->nlocal), u(owner_->nall());
-  AleisphHaloOperator op(viscous_, *owner_);
   viscous_iterations_ = 0;
   for (int a = 0; a < domain->dimension; a++) {
     for (int i = 0; i < atom->nlocal; i++) {
       b[i] = rhs[3 * i + a];
       u[i] = v[3 * i + a];
     }
-    const auto report = krylov_.solve(op, *precond_, owner_->inner_product(), b.data(), u.data(),
-                                      krylov);
+    const auto report = solver_->solve(viscous_, *owner_, world, b.data(), u.data(), krylov);
+    tell_fallback();
     viscous_iterations_ += report.iterations;
     if (report.status == aleisph::SolveStatus::NOT_FINITE)
       owner_->require_finite(rhs.data(), "Fix aleisph/predictor", "acceleration");
@@ -514,6 +536,15 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
   }
 }
 
+void FixAleisphPredictor::tell_fallback()
+{
+  const auto &solver = solver_->solver();
+  if (!solver.fallback_reason() || comm->me || solver.counts().fallbacks > MAX_WARNINGS) return;
+  error->warning(FLERR,
+                 "Fix aleisph/predictor: preconditioner {} failed at step {} ({}), jacobi was used",
+                 to_string(solver.type()), update->ntimestep, solver.fallback_reason());
+}
+
 /* ---------------------------------------------------------------------- */
 
 void FixAleisphPredictor::write_restart(FILE *fp)
@@ -522,6 +553,12 @@ void FixAleisphPredictor::write_restart(FILE *fp)
   const int size = sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&previous_dt_, sizeof(double), 1, fp);
+}
+
+// The continued run starts with a new preconditioner: so must this one, for the same results
+void FixAleisphPredictor::write_restart_file(const char *)
+{
+  solver_->solver().forget();
 }
 
 void FixAleisphPredictor::restart(char *buf)
@@ -594,12 +631,13 @@ double FixAleisphPredictor::compute_vector(int n)
     case 1: return viscous_number();
     case 2: return largest_norm(fluid, owner_->velocity());
     case 3: return advisable_time_step();
-    default: return viscous_iterations_;
+    case 4: return viscous_iterations_;
+    default: return solver_->solver().counts().fallbacks;
   }
 }
 
 double FixAleisphPredictor::memory_usage()
 {
-  return viscous_.bytes() + krylov_.bytes() +
+  return viscous_.bytes() + solver_->solver().bytes() +
       sizeof(double) * (a_.size() + work_.size() + grad_p_.size() + relative_.size());
 }

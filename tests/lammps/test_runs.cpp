@@ -195,7 +195,7 @@ TEST(Runs, OutputOfOwnerBeforeTheFirstRun)
 }
 TEST(Runs, OutputOfPredictorBeforeTheFirstRun)
 {
-  expect_outputs("pred", 5, false);
+  expect_outputs("pred", 6, false);
 }
 TEST(Runs, OutputOfSolverBeforeTheFirstRun)
 {
@@ -203,7 +203,7 @@ TEST(Runs, OutputOfSolverBeforeTheFirstRun)
 }
 TEST(Runs, OutputOfPredictorWithoutItsOwner)
 {
-  expect_outputs("pred", 5, true);
+  expect_outputs("pred", 6, true);
 }
 TEST(Runs, OutputOfSolverWithoutItsOwner)
 {

@@ -7,6 +7,7 @@
 #include "aleisph_linear_solver.h"
 #include "aleisph_mpi_amg.h"
 #include "aleisph_ppe.h"
+#include "cloud.h"
 #include "rank_matrix.h"
 #include "scenes.h"
 
@@ -27,7 +28,8 @@ Sparse pressure_matrix(const Scene &scene)
   const Discretized ops(scene);
   CsrMatrix A;
   std::vector<RowType> type;
-  assemble_ppe(ops.s(), ops.g(), ops.l(), scene.role.data(), scene.normal.data(), scene.d, A, type);
+  assemble_ppe(ops.s(), ops.g(), weights(ops.l(), ops.s()), scene.role.data(), scene.normal.data(),
+               scene.d, A, type);
   return to_eigen(A);
 }
 
