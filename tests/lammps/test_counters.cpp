@@ -11,6 +11,8 @@
 
 namespace {
 
+// of stencil, gradient, PPE matrix, preconditioner, Laplacian
+constexpr int PRECONDITIONER = 3;
 std::vector<double> builds(const Simulation &sim)
 {
   std::vector<double> counts;
@@ -51,11 +53,14 @@ TEST(Counters, EulerianBuildsOnce)
     EXPECT_EQ(builds(sim), each(1));
     EXPECT_EQ(reported(sim, "wall passes"), 1);
 
-    // a set-up may find other particles, and builds anew, once
+    // a set-up may find other particles, and builds anew, once; the preconditioner is kept as the
+    // particles are the same
+    std::vector<double> again = each(2);
+    again[PRECONDITIONER] = 1;
     sim.run("run 20");
-    EXPECT_EQ(builds(sim), each(2));
+    EXPECT_EQ(builds(sim), again);
     sim.run("run 20 pre no");
-    EXPECT_EQ(builds(sim), each(2));
+    EXPECT_EQ(builds(sim), again);
   }
 }
 
