@@ -109,7 +109,8 @@ def step_of(one, options):
     dimension = one["dimension"]
     many = run(dimension, SCENES[dimension].sizes[1e4], 2**dimension, options)
     return model.Step(dimension=dimension,
-                      seconds=(one["seconds"] - one["communication"]) / one["N"],
+                      seconds=one["cpu share"] * (one["seconds"] - one["communication"])
+                      / one["N"],
                       particles=many["N"] / many["ranks"], reductions=many["reductions"],
                       exchanges=many["exchanges"], messages=many["messages"],
                       bytes=many["bytes"], iterations=many["iterations"])

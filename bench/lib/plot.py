@@ -116,8 +116,9 @@ def page(panels, path, caption):
 
 
 def page_panel(axes, title, label, rows):
-    for (name, _, _), group in series_of([row for row in rows if "l2" in row]).items():
-        code, variant = name.split(" ", 1)
+    done = sorted((row for row in rows if "l2" in row), key=lambda row: row["n"])
+    for code, variant in dict.fromkeys((row["code"], row["variant"]) for row in done):
+        group = [row for row in done if (row["code"], row["variant"]) == (code, variant)]
         colour, marker = CODE[code]
         second = variant in ("example", "ale") or variant.startswith("lagrangian")
         axes.plot([r["seconds"] for r in group], [r["l2"] for r in group], marker=marker,
