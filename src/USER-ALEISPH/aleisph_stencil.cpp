@@ -86,22 +86,29 @@ class Stencil::Builder {
   {
     const double *const xi = x_[i];
     const int *const first = list_.first[i];
-    int n = 0;
-    for (int m = 0; m < list_.count[i]; m++) {
-      const int j = first[m] & list_.mask;
+    const int count = list_.count[i], mask = list_.mask;
+    const Role *const role = filter_.role;
+    double *const r2 = picked_.r2.data();
+    int *const picked = picked_.j.data();
+    double *dx[D];
+    for (int a = 0; a < D; a++) dx[a] = picked_.dx[a].data();
+    int n = 0, coincident = 0;
+    for (int m = 0; m < count; m++) {
+      const int j = first[m] & mask;
       const double *const xj = x_[j];
-      double r2 = 0.0;
+      double square = 0.0;
       for (int a = 0; a < D; a++) {
-        const double dx = xi[a] - xj[a];
-        picked_.dx[a][n] = dx;
-        r2 += dx * dx;
+        const double difference = xi[a] - xj[a];
+        dx[a][n] = difference;
+        square += difference * difference;
       }
-      picked_.r2[n] = r2;
-      picked_.j[n] = j;
-      const bool wanted = !filter_.role || !(filter_.role[j] & filter_.drop);
-      s_.coincident_ += wanted && r2 == 0.0;
-      n += wanted && r2 < support2_ && r2 > 0.0;
+      r2[n] = square;
+      picked[n] = j;
+      const bool wanted = !role || !(role[j] & filter_.drop);
+      coincident += wanted && square == 0.0;
+      n += wanted && square < support2_ && square > 0.0;
     }
+    s_.coincident_ += coincident;
     return n;
   }
 
