@@ -28,8 +28,12 @@ class Driver(unittest.TestCase):
 
     def test_the_median_of_short_runs_counts(self):
         rows = peers.repeated(Flow(0.1, 0.5, 0.2, 0.3, 0.4), None, None)
-        self.assertAlmostEqual(rows[1]["seconds"], 0.6)     # wall clock
-        self.assertAlmostEqual(rows[0]["seconds"], 0.06)
+        self.assertAlmostEqual(rows[1]["seconds"], 0.3)
+        self.assertAlmostEqual(rows[0]["seconds"], 0.03)
+
+    def test_over_milliseconds_it_is_that_of_the_wall_clock(self):
+        rows = peers.repeated(Flow(0.01, 0.05, 0.02, 0.03, 0.02), None, None)
+        self.assertAlmostEqual(rows[1]["seconds"], 0.04)
 
     def test_long_and_failed_runs_are_not_repeated(self):
         self.assertEqual(peers.repeated(Flow(3.0), None, None)[1]["seconds"], 3.0)
