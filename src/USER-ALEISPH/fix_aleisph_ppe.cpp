@@ -118,7 +118,7 @@ void FixAleisphPPE::init()
   choose_preconditioner();
 }
 
-// A run begins with a preconditioner of its own
+// What works is kept from one run to the next: two runs are as good as one
 void FixAleisphPPE::choose_preconditioner()
 {
   if (params_.automatic)
@@ -128,7 +128,6 @@ void FixAleisphPPE::choose_preconditioner()
   auto &solver = solver_->solver();
   solver.set_type(params_.precond);
   solver.set_reuse(params_.reuse);
-  solver.forget();
   if (params_.automatic && comm->me == 0)
     utils::logmesg(lmp,
                    fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns",

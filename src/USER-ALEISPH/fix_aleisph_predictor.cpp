@@ -189,7 +189,6 @@ void FixAleisphPredictor::init()
   if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->rho0() : params_.nu;
   owner_->set_viscosity(nu_);
   viscous_version_ = -1;
-  solver_->solver().forget();
   check_shift();
   check_other_integrators();
   const auto &disc = owner_->discretization();
