@@ -118,6 +118,7 @@ void FixAleisphPPE::init()
   choose_preconditioner();
 }
 
+// What works is kept from one run to the next: two runs are as good as one
 void FixAleisphPPE::choose_preconditioner()
 {
   if (params_.automatic)

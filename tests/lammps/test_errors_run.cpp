@@ -68,7 +68,7 @@ TEST(RunErrors, PressureNotConvergedAtTheStart)
 {
   Simulation sim(small_channel());
   Script script = stirred_script();
-  script.ppe = "fix ppe all aleisph/ppe tol 1e-12 maxiter 1";
+  script.ppe = "fix ppe all aleisph/ppe tol 1e-12 maxiter 1";    // of ILU(0), then of Jacobi
   expect_words(sim.error_of(script.text() + "run 5"),
                {"ix aleisph/ppe", "not converged", "step 0", "2 iterations"});
 }
@@ -79,8 +79,9 @@ TEST(RunErrors, FailureWarn)
   Script script = stirred_script();
   script.ppe = "fix ppe all aleisph/ppe tol 1e-12 maxiter 1 failure warn";
   EXPECT_EQ(sim.error_of(script.text() + "run 3"), "");
-  EXPECT_EQ(sim.fix("ppe", 8), 4.0);    // set-up and three steps
-  EXPECT_EQ(sim.fix("ppe", 1), 2.0);
+  EXPECT_EQ(sim.fix("ppe", 8), 4.0);     // set-up and three steps
+  EXPECT_EQ(sim.fix("ppe", 1), 2.0);     // one with each preconditioner
+  EXPECT_EQ(sim.fix("ppe", 11), 4.0);    // Jacobi is no better
   EXPECT_GT(sim.fix("ppe", 2), 1e-12);
   expect_words(sim.log(), {"WARNING: Fix aleisph/ppe: pressure not converged at step 3"});
 }
