@@ -9,7 +9,7 @@ import timing
 
 CASES = {scene.case: scene for scene in (sizes.TANK_2D, sizes.TANK_3D, sizes.PATCH)}
 TOLERANCE = 1e-8    # the default of fix aleisph/ppe
-WORK = 2e5          # particle-steps of a run, within the limits of the steps
+WORK = 2e6          # particle-steps of a run, within the limits of the steps
 FEWEST, MOST = 3, 100
 WARM_UP = 5         # steps before, at most as many as those that are measured
 REFERENCE = 10.0    # GB/s: a core for which the 3d tank is stated, too
