@@ -100,9 +100,13 @@ def main():
     with tempfile.TemporaryDirectory(prefix="aleisph-bench-") as scratch:
         folder = Path(scratch)
         names = pressure.available(options.preconditioner, folder)
-        rows = [row for case in options.only if case in SCENES
-                for row in scene_rows(SCENES[case], names, options, folder)]
-        rows += splash_rows(names, options, folder) if "splash" in options.only else []
+        rows = []
+        for case in options.only:
+            if case in SCENES:
+                rows += scene_rows(SCENES[case], names, options, folder)
+            else:
+                rows += splash_rows(names, options, folder)
+            common.write_csv(options.out / "ppe.csv", rows)    # kept if a later case is stopped
     write(rows, options)
 
 
