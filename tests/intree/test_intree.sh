@@ -49,8 +49,10 @@ printf 'plugin:\n%s\nin-tree:\n%s\n' "$with_plugin" "$in_tree"
 same_results() {
   [ -n "$1" ] && paste -d ' ' <(tr ' ' '\n' <<<"$1") <(tr ' ' '\n' <<<"$2") | awk -F '[ =]' '
     $1 == $2 && NF == 2 { next }
+    BEGIN { number = "^-?[0-9.]+(e[-+]?[0-9]+)?$" }
     NF != 4 || $1 != $3 { wrong = 1 }
     $2 == $4 { next }
+    $2 !~ number || $4 !~ number { wrong = 1 }
     { difference = $2 - $4; size = $2 + 0 }
     difference < 0 { difference = -difference }
     size < 0 { size = -size }
