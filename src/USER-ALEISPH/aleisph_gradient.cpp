@@ -22,7 +22,8 @@ template <int D> struct Symmetric {
   Pack m[SIZE];
 };
 
-template <int D> void moments(const Stencil &s, const RowBlock &block, double volume, Symmetric<D> &M)
+template <int D>
+void moments(const Stencil &s, const RowBlock &block, double volume, Symmetric<D> &M)
 {
   for (Pack &m : M.m) m = Pack{};
   for (int n = 0; n < block.longest(); n++) {
@@ -139,8 +140,7 @@ template <int D>
 Eigen::Matrix<double, D, D> floored_inverse(const Eigen::Matrix<double, D, D> &M, double floor)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, D, D>> eigen(M);
-  const Eigen::Matrix<double, D, 1> inverse =
-      eigen.eigenvalues().cwiseMax(floor).cwiseInverse();
+  const Eigen::Matrix<double, D, 1> inverse = eigen.eigenvalues().cwiseMax(floor).cwiseInverse();
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
@@ -205,9 +205,9 @@ void GradientWeights::build(const Stencil &s, double volume, const Rows &floored
   inverse_.resize(static_cast<std::size_t>(PACKED) * s.rows());
   lambda_.resize(s.rows());
   const std::vector<double> floors = row_floors(s.rows(), floored, floor);
-  const InverseCount count =
-      s.dim() == 2 ? build_rows<2>(s, volume, floors, inverse_.data(), lambda_.data())
-                   : build_rows<3>(s, volume, floors, inverse_.data(), lambda_.data());
+  const InverseCount count = s.dim() == 2
+      ? build_rows<2>(s, volume, floors, inverse_.data(), lambda_.data())
+      : build_rows<3>(s, volume, floors, inverse_.data(), lambda_.data());
   singular_ = count.singular;
   clamped_ = count.clamped;
 }

@@ -71,14 +71,16 @@ template <int D> class RowBuilder {
  public:
   RowBuilder(const Stencil &s, const GradientWeights &g, const Thresholds &t, const Role *role,
              const Target &out) :
-      s_(s), g_(g), t_(t), role_(role), out_(out)
+      s_(s),
+      g_(g), t_(t), role_(role), out_(out)
   {
   }
 
   MorrisCount build(const Rows &rows)
   {
     for (std::size_t first = 0; first < rows.size(); first += BATCH)
-      build_batch(rows.data() + first, static_cast<int>(std::min<std::size_t>(BATCH, rows.size() - first)));
+      build_batch(rows.data() + first,
+                  static_cast<int>(std::min<std::size_t>(BATCH, rows.size() - first)));
     return count_;
   }
 

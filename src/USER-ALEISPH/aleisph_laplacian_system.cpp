@@ -28,7 +28,7 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 // Growth by its inverse, 20, costs little more than one of 16 digits.
 constexpr double SMALL_PIVOT = 0.05;
 
-template <int D> constexpr int K = D * (D + 1) / 2;
+template <int D> constexpr int K = D *(D + 1) / 2;
 
 // Mandel's basis: xx yy xy, in 3d xx yy zz yz xz xy, as powers of y and z
 struct Powers {
@@ -93,7 +93,8 @@ inline void add_pair(const Pack (&e)[3], const Pack &w, const Pack &r, Sums<3> &
   for (int m = 0; m < 15; m++) sums.q[m] += wr * fourth[m];
 }
 
-template <int D> void sum_pairs(const Stencil &s, const RowBlock &block, double volume, Sums<D> &sums)
+template <int D>
+void sum_pairs(const Stencil &s, const RowBlock &block, double volume, Sums<D> &sums)
 {
   for (Pack &p : sums.t) p = Pack{};
   for (Pack &p : sums.s) p = Pack{};
@@ -117,7 +118,8 @@ template <int D> struct System {
   Pack smallest_pivot;
 };
 
-template <int D> void load_inverse(const GradientWeights &g, const int *rows, int count, Pack (&L)[D][D])
+template <int D>
+void load_inverse(const GradientWeights &g, const int *rows, int count, Pack (&L)[D][D])
 {
   constexpr int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
   for (int a = 0; a < D; a++)
@@ -192,8 +194,7 @@ template <int D> Matrix<D> lane(const Pack (&A)[K<D>][K<D>], int l)
 
 // The condition number of G: the Frobenius bound |G||G^-1|, at most K times
 // the 2-norm one, where that suffices to accept the row, else the 2-norm one.
-template <int D>
-double condition_number(const Matrix<D> &G, const Matrix<D> &inverse, double limit)
+template <int D> double condition_number(const Matrix<D> &G, const Matrix<D> &inverse, double limit)
 {
   const double bound = G.norm() * inverse.norm();
   if (bound <= limit) return bound;

@@ -162,8 +162,8 @@ void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &r
   with_sums(s, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows)
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) =
-          in_space<D>(sums.template vector<3>(i, v, role, normal), correction<D>(g, i));
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) = in_space<D>(
+          sums.template vector<3>(i, v, role, normal), correction<D>(g, i));
   });
 }
 

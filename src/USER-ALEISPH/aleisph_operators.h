@@ -92,7 +92,7 @@ class LaplacianWeights {
   void build(const Stencil &s, const GradientWeights &g, const Rows &rows, const Kernel &kernel,
              double d, const LaplacianLimits &limits, const Role *role = nullptr);
 
-  const double *a() const { return a_.data(); }            // pair array [1/length^2]
+  const double *a() const { return a_.data(); }    // pair array [1/length^2]
   // exchanges the pair array of a() for another one, whose memory the next build uses
   void swap_weights(std::vector<double> &a) { a_.swap(a); }
   double diagonal(int i) const { return diagonal_[i]; }    // sum_j a_ij, < 0 for a good row

@@ -51,7 +51,8 @@ class Stencil::Builder {
  public:
   Builder(Stencil &s, const Kernel &kernel, const double *const *x, const CandidateList &list,
           const PairFilter &filter) :
-      s_(s), kernel_(kernel), x_(x), list_(list), filter_(filter),
+      s_(s),
+      kernel_(kernel), x_(x), list_(list), filter_(filter),
       support2_(kernel.support() * kernel.support())
   {
   }
@@ -73,7 +74,8 @@ class Stencil::Builder {
     long long pairs = 0;
     for (int i = 0; i < nowned; i++) {
       const int n = wanted_row(filter_, i) ? pick<D>(i) : 0;
-      if (pairs + n <= static_cast<long long>(s_.slots())) store<D, Shape>(static_cast<int>(pairs), n);
+      if (pairs + n <= static_cast<long long>(s_.slots()))
+        store<D, Shape>(static_cast<int>(pairs), n);
       pairs += n;
       if (pairs > std::numeric_limits<int>::max())
         throw std::length_error("too many neighbour pairs for one rank");

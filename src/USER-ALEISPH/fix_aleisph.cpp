@@ -395,10 +395,9 @@ void FixAleisph::rebuild()
   refuse_roles(found);
   locate_walls(found[3]);
   mark_dry_walls();
-  discretization_->update(
-      atom->nlocal, atom->x,
-      {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()},
-      role_.data(), dry_rule());
+  discretization_->update(atom->nlocal, atom->x,
+                          {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()},
+                          role_.data(), dry_rule());
   if (const long coincident = sum(discretization_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
   if (moving_ || n == 0)
@@ -566,8 +565,9 @@ void FixAleisph::report_timing()
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
   text += report_traffic();
-  const long morris = counts.laplacian ? sum(discretization_->laplacian_rows().morris_count().total())
-                                       : 0;
+  const long morris = counts.laplacian
+      ? sum(discretization_->laplacian_rows().morris_count().total())
+      : 0;
   const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
   if (morris || singular || pivots)
     text += fmt::format("ALEISPH guards in the last step: {} rows of Morris, {} singular rows, {} "

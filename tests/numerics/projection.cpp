@@ -143,7 +143,8 @@ Eigen::MatrixXd projection(const FreeSurfaceFlow &flow, SelfTerm kind, double su
   options.min_wall_fluid = 2;
   CsrMatrix A;
   std::vector<RowType> type;
-  assemble_ppe(flow.s(), flow.g(), weights(flow.l(), flow.s()), flow.role(), flow.normal(), d, A, type, options);
+  assemble_ppe(flow.s(), flow.g(), weights(flow.l(), flow.s()), flow.role(), flow.normal(), d, A,
+               type, options);
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd(to_eigen(A)));
 
   const int m = static_cast<int>(flow.fluid().size()) * dim;

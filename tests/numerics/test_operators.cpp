@@ -74,7 +74,8 @@ TEST(Gradient, WeightsAgreeWithTheDenseEvaluation)
         EXPECT_NEAR(op.g().lambda(i), row.lambda, 1e-14);
         for (int k = op.s().begin(i); k < op.s().end(i); k++)
           for (int a = 0; a < dim; a++)    // eps/lambda with lambda > 0.05
-            EXPECT_NEAR(pair_gradient(op.s(), op.g(), i, k)[a] * D, row.g[op.s().col()[k]][a] * D, 1e-13);
+            EXPECT_NEAR(pair_gradient(op.s(), op.g(), i, k)[a] * D, row.g[op.s().col()[k]][a] * D,
+                        1e-13);
       }
     }
 }

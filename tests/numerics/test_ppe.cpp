@@ -24,8 +24,8 @@ class Ppe {
  public:
   explicit Ppe(const Scene &scene) : scene_(scene), ops_(scene)
   {
-    rows_ = assemble_ppe(ops_.s(), ops_.g(), weights(ops_.l(), ops_.s()), scene_.role.data(), scene_.normal.data(),
-                         scene_.d, A_, type_);
+    rows_ = assemble_ppe(ops_.s(), ops_.g(), weights(ops_.l(), ops_.s()), scene_.role.data(),
+                         scene_.normal.data(), scene_.d, A_, type_);
   }
   Ppe(const Ppe &) = delete;
   Ppe &operator=(const Ppe &) = delete;

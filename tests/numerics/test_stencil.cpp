@@ -173,7 +173,8 @@ TEST(Stencil, ADifferentCloudInTheSameMemory)
   Points jittered = lattice(2, 4, 1.0);
   jitter(jittered, 2, 0.1, 5);
   Stencil s;
-  for (const Points &points : {lattice(2, 3, 1.0), lattice(2, 6, 1.0), jittered, lattice(2, 1, 1.0)}) {
+  for (const Points &points :
+       {lattice(2, 3, 1.0), lattice(2, 6, 1.0), jittered, lattice(2, 1, 1.0)}) {
     const int n = static_cast<int>(points.size());
     const Cloud cloud(points, n, 3.0);
     s.build(kernel, n, cloud.x(), cloud.list());

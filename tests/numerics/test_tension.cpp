@@ -351,7 +351,8 @@ TEST_P(TensionTest, PublishedCurvatureIsTheSumOverTheSurface)
       const int j = field.s().col()[k];
       if ((patch.role[j] & (SURFACE | BALLISTIC)) != SURFACE) continue;
       for (int a = 0; a < dim_; a++)
-        kappa += 0.41 * (patch.N[3 * j + a] - patch.N[3 * i + a]) * pair_gradient(field.s(), field.g(), i, k)[a];
+        kappa += 0.41 * (patch.N[3 * j + a] - patch.N[3 * i + a]) *
+            pair_gradient(field.s(), field.g(), i, k)[a];
     }
     const double expected = (dim_ - 1) * kappa;
     limited += std::abs(expected) > 1.0 / D;
