@@ -37,11 +37,9 @@ RowSplit split_rows(int rows, const int *ptr, const int *col, const std::vector<
 
 void CsrMatrix::reset(int rows, const int *ptr, const int *col)
 {
-  rows_ = rows;
-  ptr_ = ptr;
-  col_ = col;
-  val_.assign(rows > 0 ? ptr[rows] : 0, 0.0);
-  diag_.assign(rows, 0.0);
+  std::vector<double> values = release();
+  values.assign(rows > 0 ? ptr[rows] : 0, 0.0);
+  reset(rows, ptr, col, std::move(values));
 }
 
 void CsrMatrix::reset(int rows, const int *ptr, const int *col, std::vector<double> &&values)

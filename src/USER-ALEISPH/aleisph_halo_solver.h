@@ -3,8 +3,9 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   The linear solver over all ranks: matrices of owned rows, with the IDs of
-   the atoms as what identifies the rows.
+   The linear solver over all ranks, as a fix has one: keyword preconditioner,
+   matrices of owned rows, the IDs of the atoms as what identifies the rows,
+   a warning where Jacobi had to step in.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_HALO_SOLVER_H
@@ -14,51 +15,90 @@
 #include "aleisph_linear_solver.h"
 #include "aleisph_mpi_amg.h"
 #include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "pointers.h"
+#include "update.h"
 
 #include <cstdint>
-#include <memory>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
 
-class AleisphHaloSolver {
+class AleisphHaloSolver : protected Pointers {
  public:
+  static constexpr long MAX_WARNINGS = 3;
+
+  // caller: the fix, as messages name it
+  AleisphHaloSolver(LAMMPS *lmp, const std::string &caller) : Pointers(lmp), caller_(caller) {}
+
   aleisph::LinearSolver &solver() { return solver_; }
   const aleisph::LinearSolver &solver() const { return solver_; }
 
-  void matrix_changed(const Atom *atom)
+  // the value of keyword preconditioner
+  void parse_preconditioner(const std::string &value)
+  {
+    automatic_ = value == "auto";
+    if (automatic_) return;
+    aleisph::PrecondType type;
+    if (!aleisph::parse_precond(value, type))
+      error->all(FLERR, "{}: unknown preconditioner {}, use auto or one of {}", caller_, value,
+                 aleisph::precond_names());
+    if (type == aleisph::PrecondType::AMG && !aleisph::amg_available())
+      error->all(FLERR,
+                 "{}: preconditioner amg needs the library hypre, and this program was compiled "
+                 "without it",
+                 caller_);
+    solver_.set_type(type);
+  }
+  // the caller chooses it, by solver().set_type()
+  bool automatic() const { return automatic_; }
+
+  void matrix_changed()
   {
     solver_.matrix_changed(std::vector<std::int64_t>(atom->tag, atom->tag + atom->nlocal));
   }
 
   // x: owned and ghost particles, the initial guess
-  aleisph::SolveReport solve(const aleisph::CsrMatrix &A, FixAleisph &owner, MPI_Comm comm,
-                             const double *b, double *x, const aleisph::KrylovParams &params)
+  aleisph::SolveReport solve(const aleisph::CsrMatrix &A, FixAleisph &owner, const double *b,
+                             double *x, const aleisph::KrylovParams &params)
   {
     const auto make = [&](aleisph::PrecondType type, aleisph::PrecondReport &report) {
       aleisph::Timers::Scope scope(owner.timers(), aleisph::Part::PRECONDITIONER);
       if (type != aleisph::PrecondType::AMG) return aleisph::make_preconditioner(type, A, report);
       aleisph::AmgOptions options;
       options.singular = params.remove_mean;
-      return aleisph::make_amg(comm, A, row_numbers(A.rows(), owner, comm).data(), options, report);
+      return aleisph::make_amg(world, A, row_numbers(A.rows(), owner).data(), options, report);
     };
     AleisphHaloOperator op(A, owner);
-    return solver_.solve(op, make, owner.inner_product(), b, x, params);
+    const auto report = solver_.solve(op, make, owner.inner_product(), b, x, params);
+    tell_fallback();
+    return report;
   }
 
  private:
   // Of every column: the rows of a rank follow those of the rank before. A double holds them.
-  static std::vector<long long> row_numbers(int rows, FixAleisph &owner, MPI_Comm comm)
+  std::vector<long long> row_numbers(int rows, FixAleisph &owner) const
   {
     long long mine = rows;
     long long end = 0;
-    MPI_Scan(&mine, &end, 1, MPI_LONG_LONG, MPI_SUM, comm);
+    MPI_Scan(&mine, &end, 1, MPI_LONG_LONG, MPI_SUM, world);
     std::vector<double> number(owner.nall());
     for (int i = 0; i < rows; i++) number[i] = static_cast<double>(end - rows + i);
     owner.forward(number.data(), 1);
     return std::vector<long long>(number.begin(), number.end());
   }
 
+  void tell_fallback() const
+  {
+    if (!solver_.fallback_reason() || comm->me || solver_.counts().fallbacks > MAX_WARNINGS) return;
+    error->warning(FLERR, "{}: preconditioner {} failed at step {} ({}), jacobi was used", caller_,
+                   to_string(solver_.type()), update->ntimestep, solver_.fallback_reason());
+  }
+
+  const std::string caller_;
+  bool automatic_ = true;
   aleisph::LinearSolver solver_;
 };
 

@@ -13,6 +13,7 @@
 #include "aleisph_laplacian_system.h"
 
 #include "aleisph_pack.h"
+#include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -121,13 +122,11 @@ template <int D> struct System {
 template <int D>
 void load_inverse(const GradientWeights &g, const int *rows, int count, Pack (&L)[D][D])
 {
-  constexpr int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-  for (int a = 0; a < D; a++)
-    for (int b = 0; b < D; b++)
-      for (int l = 0; l < LANES; l++) {
-        const int i = rows[std::min(l, count - 1)];
-        L[a][b][l] = g.inverse()[GradientWeights::PACKED * i + place[a][b]];
-      }
+  for (int l = 0; l < LANES; l++) {
+    const Eigen::Matrix3d inverse = packed_matrix(g.inverse(), rows[std::min(l, count - 1)]);
+    for (int a = 0; a < D; a++)
+      for (int b = 0; b < D; b++) L[a][b][l] = inverse(a, b);
+  }
 }
 
 template <int D> void make_system(const Sums<D> &sums, const Pack (&L)[D][D], System<D> &system)

@@ -8,6 +8,8 @@
 
 #include "aleisph_operators.h"
 
+#include "aleisph_vectors.h"
+
 #include <Eigen/Dense>
 #include <array>
 #include <type_traits>
@@ -27,13 +29,7 @@ template <int D> inline void store(const Vec<D> &value, double *v, int i)
 // V L_i
 template <int D> inline Mat<D> correction(const GradientWeights &g, int i)
 {
-  const double *const m = g.inverse() + GradientWeights::PACKED * i;    // xx yy zz xy xz yz
-  Mat<D> L;
-  if constexpr (D == 2)
-    L << m[0], m[3], m[3], m[1];
-  else
-    L << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
-  return g.volume() * L;
+  return g.volume() * packed_matrix(g.inverse(), i).topLeftCorner<D, D>();
 }
 
 // sum V L_i as a matrix of space

@@ -40,15 +40,12 @@ constexpr double MIN_WALL_LAMBDA = 0.7;
 constexpr int MIN_WALL_FLUID_2D = 2, MIN_WALL_FLUID_3D = 1;
 // From this number of unknowns on multigrid takes less time than ILU(0), in 2d and in 3d
 constexpr double MIN_AMG_UNKNOWNS = 2000;
-constexpr long MAX_WARNINGS = 3;
 }    // namespace
 
 FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_(), owner_(nullptr), version_(-1), closed_(false),
-    solver_(std::make_unique<AleisphHaloSolver>()), failures_(0)
+    solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/ppe")), failures_(0)
 {
-  params_.precond = PrecondType::ILU0;
-  params_.automatic = true;
   params_.reuse = true;
   params_.error_on_failure = true;
   parse(narg, arg);
@@ -77,7 +74,7 @@ void FixAleisphPPE::parse(int narg, char **arg)
       if (params_.krylov.max_iterations < 1)
         error->all(FLERR, "Fix aleisph/ppe: maxiter must be at least 1, not {}", value);
     } else if (key == "preconditioner") {
-      parse_preconditioner(value);
+      solver_->parse_preconditioner(value);
     } else if (key == "reuse") {
       params_.reuse = utils::logical(FLERR, value, false, lmp) == 1;
     } else if (key == "failure") {
@@ -87,18 +84,6 @@ void FixAleisphPPE::parse(int narg, char **arg)
     } else
       error->all(FLERR, "Fix aleisph/ppe: unknown keyword {}", key);
   }
-}
-
-void FixAleisphPPE::parse_preconditioner(const std::string &value)
-{
-  params_.automatic = value == "auto";
-  if (!params_.automatic && !aleisph::parse_precond(value, params_.precond))
-    error->all(FLERR, "Fix aleisph/ppe: unknown preconditioner {}, use auto or one of {}", value,
-               aleisph::precond_names());
-  if (!params_.automatic && params_.precond == PrecondType::AMG && !aleisph::amg_available())
-    error->all(FLERR,
-               "Fix aleisph/ppe: preconditioner amg needs the library hypre, and this program was "
-               "compiled without it");
 }
 
 int FixAleisphPPE::setmask()
@@ -121,18 +106,15 @@ void FixAleisphPPE::init()
 // What works is kept from one run to the next: two runs are as good as one
 void FixAleisphPPE::choose_preconditioner()
 {
-  if (params_.automatic)
-    params_.precond = aleisph::amg_available() && atom->natoms >= MIN_AMG_UNKNOWNS
-        ? PrecondType::AMG
-        : PrecondType::ILU0;
   auto &solver = solver_->solver();
-  solver.set_type(params_.precond);
   solver.set_reuse(params_.reuse);
-  if (params_.automatic && comm->me == 0)
+  if (!solver_->automatic()) return;
+  const bool multigrid = aleisph::amg_available() && atom->natoms >= MIN_AMG_UNKNOWNS;
+  solver.set_type(multigrid ? PrecondType::AMG : PrecondType::ILU0);
+  if (comm->me == 0)
     utils::logmesg(lmp,
-                   fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns",
-                               to_string(params_.precond), atom->natoms) +
-                       "\n");
+                   fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns\n",
+                               to_string(solver.type()), atom->natoms));
 }
 
 // The continued run starts with a new preconditioner: so must this one, for the same results
@@ -172,11 +154,10 @@ void FixAleisphPPE::solve()
   double *p = owner_->pressure();
   p_.assign(p, p + owner_->nall());
   const long builds = solver_->solver().counts().builds;
-  report_ = solver_->solve(matrix_, *owner_, world, rhs_.data(), p_.data(), params_.krylov);
+  report_ = solver_->solve(matrix_, *owner_, rhs_.data(), p_.data(), params_.krylov);
   auto &tally = owner_->tally();
   tally.precond_builds += solver_->solver().counts().builds - builds;
   tally.replaced_pivots = solver_->solver().precond_report().replaced_pivots;
-  tell_fallback();
   act_on(report_);
   std::copy(p_.begin(), p_.begin() + atom->nlocal, p);
   owner_->forward(p, 1);
@@ -211,10 +192,8 @@ void FixAleisphPPE::assemble()
                                  owner_->normal(), disc.spacing(), matrix_, owner_->row_types(),
                                  options());
   }
-  int fixed = rows.dirichlet + rows.singular + rows.surface, any;
-  MPI_Allreduce(&fixed, &any, 1, MPI_INT, MPI_SUM, world);
-  closed_ = any == 0;
-  solver_->matrix_changed(atom);
+  closed_ = !owner_->any(rows.dirichlet + rows.singular + rows.surface > 0);
+  solver_->matrix_changed();
 
   auto &tally = owner_->tally();
   tally.ppe_builds++;
@@ -257,15 +236,6 @@ void FixAleisphPPE::right_hand_side()
                    owner_->pressure(), disc.spacing(), owner_->rho0() / update->dt, rhs_.data(),
                    owner_->surface().pressure,
                    owner_->tension() ? owner_->tension()->surface_pressure() : nullptr);
-}
-
-void FixAleisphPPE::tell_fallback()
-{
-  const auto &solver = solver_->solver();
-  if (!solver.fallback_reason() || comm->me || solver.counts().fallbacks > MAX_WARNINGS) return;
-  error->warning(FLERR,
-                 "Fix aleisph/ppe: preconditioner {} failed at step {} ({}), jacobi was used",
-                 to_string(solver.type()), update->ntimestep, solver.fallback_reason());
 }
 
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)

@@ -20,7 +20,6 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 #include "aleisph_csr.h"
 #include "aleisph_krylov.h"
 #include "aleisph_ppe.h"
-#include "aleisph_precond.h"
 #include "fix.h"
 
 #include <memory>
@@ -45,19 +44,16 @@ class FixAleisphPPE : public Fix {
  private:
   struct Params {
     aleisph::KrylovParams krylov;
-    aleisph::PrecondType precond;
-    bool automatic, reuse, error_on_failure;
+    bool reuse, error_on_failure;
   };
 
   void parse(int narg, char **arg);
-  void parse_preconditioner(const std::string &value);
   void assemble();
   aleisph::PpeOptions options() const;
   void choose_preconditioner();
   void right_hand_side();
   void solve();
   double rounding_level() const;
-  void tell_fallback();
   void act_on(const aleisph::SolveReport &report);
   void correct_velocity();
   void release_ballistic();

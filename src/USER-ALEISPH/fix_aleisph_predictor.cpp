@@ -37,15 +37,14 @@ constexpr char SHIFT_FIX[] = "ALEISPH_U";
 constexpr char SHIFT[] = "aleisph_u";
 // From this theta nu dt/d^2 on ILU(0), kept over some steps, takes less time than Jacobi
 constexpr double MIN_ILU_NUMBER = 0.5;
-constexpr long MAX_WARNINGS = 3;
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::VISCOUS)];
 
 }    // namespace
 
 FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), viscous_limit_(0.0), previous_dt_(0.0),
-    solver_(std::make_unique<AleisphHaloSolver>()), viscous_version_(-1), viscous_dt_(0.0),
-    viscous_iterations_(0)
+    solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/predictor")),
+    viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
 {
   parse(narg, arg);
   check_transport();
@@ -111,26 +110,13 @@ void FixAleisphPredictor::parse(int narg, char **arg)
       if (!(params_.tolerance > 0.0) || !(params_.tolerance < 1.0))
         error->all(FLERR, "Fix aleisph/predictor: tol must lie between 0 and 1, not {}", value);
     } else if (key == "preconditioner") {
-      parse_preconditioner(value);
+      solver_->parse_preconditioner(value);    // of the implicit solve
     } else if (key == "transport") {
       for (int a = 0; a < 3; a++) params_.transport[a] = arg[iarg + 1 + a];
     } else
       error->all(FLERR, "Fix aleisph/predictor: unknown keyword {}", key);
     iarg += 1 + nvalues;
   }
-}
-
-// of the implicit solve
-void FixAleisphPredictor::parse_preconditioner(const std::string &value)
-{
-  params_.automatic = value == "auto";
-  if (!params_.automatic && !aleisph::parse_precond(value, params_.precond))
-    error->all(FLERR, "Fix aleisph/predictor: unknown preconditioner {}, use auto or one of {}",
-               value, aleisph::precond_names());
-  if (!params_.automatic && params_.precond == PrecondType::AMG && !aleisph::amg_available())
-    error->all(FLERR,
-               "Fix aleisph/predictor: preconditioner amg needs the library hypre, and this "
-               "program was compiled without it");
 }
 
 void FixAleisphPredictor::check_transport() const
@@ -207,11 +193,10 @@ void FixAleisphPredictor::check_other_integrators() const
 {
   for (const Fix *fix : modify->get_fix_list()) {
     if (!fix->time_integrate || fix == this) continue;
-    int shared = 0, any;
+    bool shared = false;
     for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit)) shared = 1;
-    MPI_Allreduce(&shared, &any, 1, MPI_INT, MPI_MAX, world);
-    if (any)
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit)) shared = true;
+    if (owner_->any(shared))
       error->all(FLERR, "Fix {} ({}) would integrate fluid atoms as well as fix {} ({})", fix->id,
                  fix->style, id, style);
   }
@@ -493,11 +478,11 @@ void FixAleisphPredictor::assemble_viscous()
       if (place != end) viscous_.val(static_cast<int>(place - s.col())) = -1.0;
     }
 
-  if (params_.automatic)
-    params_.precond = params_.theta * viscous_number() >= MIN_ILU_NUMBER ? PrecondType::ILU0
-                                                                         : PrecondType::JACOBI;
-  solver_->solver().set_type(params_.precond);
-  solver_->matrix_changed(atom);
+  if (solver_->automatic()) {
+    const bool stiff = params_.theta * viscous_number() >= MIN_ILU_NUMBER;
+    solver_->solver().set_type(stiff ? PrecondType::ILU0 : PrecondType::JACOBI);
+  }
+  solver_->matrix_changed();
   owner_->tally().viscous_builds++;
   viscous_version_ = owner_->version();
   viscous_dt_ = update->dt;
@@ -521,8 +506,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
       b[i] = rhs[3 * i + a];
       u[i] = v[3 * i + a];
     }
-    const auto report = solver_->solve(viscous_, *owner_, world, b.data(), u.data(), krylov);
-    tell_fallback();
+    const auto report = solver_->solve(viscous_, *owner_, b.data(), u.data(), krylov);
     viscous_iterations_ += report.iterations;
     if (report.status == aleisph::SolveStatus::NOT_FINITE)
       owner_->require_finite(rhs.data(), "Fix aleisph/predictor", "acceleration");
@@ -534,15 +518,6 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
                  krylov.atol);
     for (int i = 0; i < atom->nlocal; i++) rhs[3 * i + a] = u[i];
   }
-}
-
-void FixAleisphPredictor::tell_fallback()
-{
-  const auto &solver = solver_->solver();
-  if (!solver.fallback_reason() || comm->me || solver.counts().fallbacks > MAX_WARNINGS) return;
-  error->warning(FLERR,
-                 "Fix aleisph/predictor: preconditioner {} failed at step {} ({}), jacobi was used",
-                 to_string(solver.type()), update->ntimestep, solver.fallback_reason());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -21,7 +21,6 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 #ifndef LMP_FIX_ALEISPH_PREDICTOR_H
 #define LMP_FIX_ALEISPH_PREDICTOR_H
 
-#include "aleisph_precond.h"
 #include "fix.h"
 #include "fix_aleisph.h"
 
@@ -59,13 +58,10 @@ class FixAleisphPredictor : public Fix, private AleisphTimeStepLimit {
     double theta = 0.0;            // share of the new time level in nu lap v; 0 explicit
     bool ab2 = false;              // explicit terms by Adams-Bashforth 2 instead of forward Euler
     double tolerance = 1.0e-12;    // of the implicit solve, relative to |v|
-    bool automatic = true;         // its preconditioner is chosen
-    aleisph::PrecondType precond = aleisph::PrecondType::JACOBI;
     std::array<std::string, 3> transport;    // equal- or atom-style variables, or numbers
   };
 
   void parse(int narg, char **arg);
-  void parse_preconditioner(const std::string &value);
   bool prescribed() const { return !params_.transport[0].empty(); }
   bool shifted() const { return params_.frame == Frame::ALE && !prescribed(); }
   void check_transport() const;
@@ -84,7 +80,6 @@ class FixAleisphPredictor : public Fix, private AleisphTimeStepLimit {
   void predict_walls();
   void assemble_viscous();
   void solve_viscous(std::vector<double> &rhs);
-  void tell_fallback();
   void evaluate_transport();
   double largest_norm(const aleisph::Rows &rows, const double *v, const double *w = nullptr) const;
   double largest_speed() const;
