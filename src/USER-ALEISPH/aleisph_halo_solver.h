@@ -14,13 +14,13 @@
 #include "aleisph_halo_operator.h"
 #include "aleisph_linear_solver.h"
 #include "aleisph_mpi_amg.h"
+#include "aleisph_mpi_transfer.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "pointers.h"
 #include "update.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,7 +31,10 @@ class AleisphHaloSolver : protected Pointers {
   static constexpr long MAX_WARNINGS = 3;
 
   // caller: the fix, as messages name it
-  AleisphHaloSolver(LAMMPS *lmp, const std::string &caller) : Pointers(lmp), caller_(caller) {}
+  AleisphHaloSolver(LAMMPS *lmp, const std::string &caller) :
+      Pointers(lmp), caller_(caller), exchange_(world)
+  {
+  }
 
   aleisph::LinearSolver &solver() { return solver_; }
   const aleisph::LinearSolver &solver() const { return solver_; }
@@ -57,7 +60,7 @@ class AleisphHaloSolver : protected Pointers {
 
   void matrix_changed()
   {
-    solver_.matrix_changed(std::vector<std::int64_t>(atom->tag, atom->tag + atom->nlocal));
+    solver_.matrix_changed(aleisph::RowIds(atom->tag, atom->tag + atom->nlocal));
   }
 
   // x: owned and ghost particles, the initial guess
@@ -71,8 +74,12 @@ class AleisphHaloSolver : protected Pointers {
       options.singular = params.remove_mean;
       return aleisph::make_amg(world, A, row_numbers(A.rows(), owner).data(), options, report);
     };
+    const auto move = [&](const aleisph::RowIds &before, const aleisph::RowIds &after) {
+      aleisph::Timers::Scope scope(owner.timers(), aleisph::Part::PRECONDITIONER);
+      return aleisph::make_transfer(exchange_, before, after);
+    };
     AleisphHaloOperator op(A, owner);
-    const auto report = solver_.solve(op, make, owner.inner_product(), b, x, params);
+    const auto report = solver_.solve(op, {make, move}, owner.inner_product(), b, x, params);
     tell_fallback();
     return report;
   }
@@ -99,6 +106,7 @@ class AleisphHaloSolver : protected Pointers {
 
   const std::string caller_;
   bool automatic_ = true;
+  aleisph::SparseExchange exchange_;
   aleisph::LinearSolver solver_;
 };
 

@@ -23,6 +23,27 @@ bool hopeless(const SolveReport &report)    // the right hand side or the guess 
   return report.status == SolveStatus::NOT_FINITE && report.iterations == 0;
 }
 
+// A preconditioner of rows that have moved since it was built
+class Moved : public Preconditioner {
+ public:
+  Moved(Preconditioner &built, RowTransfer &transfer, std::size_t rows) :
+      built_(built), transfer_(transfer), r_(rows), z_(rows)
+  {
+  }
+
+  void apply(const double *r, double *z) override
+  {
+    transfer_.to_built(r, r_.data());
+    built_.apply(r_.data(), z_.data());
+    transfer_.to_present(z_.data(), z);
+  }
+
+ private:
+  Preconditioner &built_;
+  RowTransfer &transfer_;
+  std::vector<double> r_, z_;    // as built
+};
+
 }    // namespace
 
 void LinearSolver::set_type(PrecondType type)
@@ -31,29 +52,39 @@ void LinearSolver::set_type(PrecondType type)
   type_ = type;
 }
 
-void LinearSolver::matrix_changed(std::vector<std::int64_t> row_ids)
+void LinearSolver::matrix_changed(RowIds row_ids)
 {
   changed_ = true;
-  if (forget_ || !reuse_ || cost_of_build(type_) == 0 || row_ids != row_ids_) stale_ = true;
+  if (forget_ || !reuse_ || cost_of_build(type_) == 0) stale_ = true;
+  if (row_ids != row_ids_) moved_ = true;
   forget_ = false;
   age_++;
   row_ids_ = std::move(row_ids);
 }
 
-// what is stale on one rank is stale on all of them
-void LinearSolver::settle_stale(const InnerProduct &ip)
+// what is stale on one rank is stale on all of them, and rows do not move on one rank alone
+void LinearSolver::settle_stale(const Mover &move, const InnerProduct &ip)
 {
   if (!changed_) return;
-  double ranks = stale_ || !precond_;
-  ip.sum(1, &ranks);
-  stale_ = ranks > 0.0;
-  changed_ = false;
+  double ranks[] = {1.0 * (stale_ || !precond_), 1.0 * moved_};
+  ip.sum(2, ranks);
+  stale_ = ranks[0] > 0.0 || (ranks[1] > 0.0 && !follow(move));
+  changed_ = moved_ = false;
+}
+
+bool LinearSolver::follow(const Mover &move)
+{
+  transfer_.reset();
+  if (move) transfer_ = move(built_ids_, row_ids_);
+  return transfer_ != nullptr;
 }
 
 bool LinearSolver::build(PrecondType type, const Maker &make)
 {
   precond_.reset();    // before the next one: the memory is that of one
+  transfer_.reset();
   precond_ = make(type, precond_report_);
+  built_ids_ = row_ids_;
   counts_.builds++;
   stale_ = false;
   age_ = fewest_ = excess_ = 0;
@@ -71,7 +102,12 @@ void LinearSolver::attempt(LinearOperator &A, const InnerProduct &ip, const doub
                            KrylovParams params, SolveReport &total)
 {
   const SolveReport before = total;
-  total = krylov_.solve(A, *precond_, ip, b, x, params);
+  if (transfer_) {
+    Moved moved(*precond_, *transfer_, built_ids_.size());
+    total = krylov_.solve(A, moved, ip, b, x, params);
+  } else {
+    total = krylov_.solve(A, *precond_, ip, b, x, params);
+  }
   counts_.iterations += total.iterations;
   if (total.ok()) judge(total.iterations);
   total.iterations += before.iterations;
@@ -87,10 +123,11 @@ void LinearSolver::judge(int iterations)
   if (excess_ > cost_of_build(type_)) forget_ = true;
 }
 
-SolveReport LinearSolver::solve(LinearOperator &A, const Maker &make, const InnerProduct &ip,
+SolveReport LinearSolver::solve(LinearOperator &A, const Builder &builder, const InnerProduct &ip,
                                 const double *b, double *x, const KrylovParams &params)
 {
-  settle_stale(ip);
+  settle_stale(builder.move, ip);
+  const Maker &make = builder.make;
   fallback_reason_ = nullptr;
   SolveReport total;
   const auto limited = [&] {
@@ -122,8 +159,8 @@ SolveReport LinearSolver::solve(LinearOperator &A, const Maker &make, const Inne
 
 double LinearSolver::bytes() const
 {
-  return krylov_.bytes() + precond_report_.bytes +
-      static_cast<double>(row_ids_.capacity()) * sizeof(std::int64_t);
+  return krylov_.bytes() + precond_report_.bytes + (transfer_ ? transfer_->bytes() : 0.0) +
+      static_cast<double>(row_ids_.capacity() + built_ids_.capacity()) * sizeof(std::int64_t);
 }
 
 }    // namespace aleisph

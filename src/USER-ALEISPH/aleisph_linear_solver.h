@@ -3,9 +3,10 @@
    BiCGSTAB with a preconditioner that is kept while it works.
 
    A preconditioner built for one matrix is a good one for the matrices of
-   later steps, as long as the rows are the same particles in the same order.
-   It is built anew when that has changed; when the iterations that it has
-   cost beyond the fewest since it was built add up to the cost of a build;
+   later steps, as long as the rows are the same particles. Where they have
+   changed places, or ranks, vectors are brought into the order that they had.
+   It is built anew when the particles are others; when the iterations that it
+   has cost beyond the fewest since it was built add up to the cost of a build;
    when a solve fails. A solve that fails with a new one, too, is done once
    more with Jacobi. All decisions are taken on global sums and on numbers of
    iterations, never on measured time, so that runs are reproducible.
@@ -24,11 +25,30 @@
 
 namespace aleisph {
 
+using RowIds = std::vector<std::int64_t>;
+
+// Values of the rows in the layout of a preconditioner's build and in the present one. Called by
+// all ranks together.
+class RowTransfer {
+ public:
+  virtual ~RowTransfer() = default;
+  virtual void to_built(const double *present, double *built) = 0;
+  virtual void to_present(const double *built, double *present) = 0;
+  virtual double bytes() const = 0;
+};
+
 class LinearSolver {
  public:
   // Builds a preconditioner of this type for the present matrix, on all ranks together; null, on
   // all ranks together, with report.failure set, if that is not possible.
   using Maker = std::function<std::unique_ptr<Preconditioner>(PrecondType, PrecondReport &)>;
+  // From the rows of a build to those of today, on all ranks together; null, on all ranks
+  // together, if they are not the same.
+  using Mover = std::function<std::unique_ptr<RowTransfer>(const RowIds &, const RowIds &)>;
+  struct Builder {
+    Maker make;
+    Mover move = nullptr;    // none: rows in another order need a new preconditioner
+  };
   struct Counts {
     long builds = 0;        // of preconditioners, those of Jacobi after a failure included
     long fallbacks = 0;     // solves that were repeated with Jacobi
@@ -40,15 +60,15 @@ class LinearSolver {
   void set_reuse(bool reuse) { reuse_ = reuse; }
 
   // The matrix has changed; row_ids: of the owned rows in their order
-  void matrix_changed(std::vector<std::int64_t> row_ids);
+  void matrix_changed(RowIds row_ids);
   // The preconditioner does not outlive the present matrix, so that the next solves are those of a
   // solver that starts with the next matrix.
   void forget() { forget_ = true; }
 
   // As BiCGStab::solve(). The iterations and restarts reported are those of all attempts; each
   // attempt has params.max_iterations, one with a kept preconditioner less.
-  SolveReport solve(LinearOperator &A, const Maker &make, const InnerProduct &ip, const double *b,
-                    double *x, const KrylovParams &params);
+  SolveReport solve(LinearOperator &A, const Builder &builder, const InnerProduct &ip,
+                    const double *b, double *x, const KrylovParams &params);
 
   const Counts &counts() const { return counts_; }
   const PrecondReport &precond_report() const { return precond_report_; }
@@ -57,7 +77,8 @@ class LinearSolver {
   double bytes() const;
 
  private:
-  void settle_stale(const InnerProduct &ip);
+  void settle_stale(const Mover &move, const InnerProduct &ip);
+  bool follow(const Mover &move);
   bool build(PrecondType type, const Maker &make);
   void attempt(LinearOperator &A, const InnerProduct &ip, const double *b, double *x,
                KrylovParams params, SolveReport &total);
@@ -69,12 +90,14 @@ class LinearSolver {
   bool reuse_ = true;
   bool changed_ = true;    // matrix, since the last solve
   bool stale_ = true;      // of this rank, until the next solve
+  bool moved_ = false;     // rows of this rank, since the last solve
   bool forget_ = false;
-  int age_ = 0;       // matrices since the build
-  int fewest_ = 0;    // iterations of a solve since the build
-  int excess_ = 0;    // iterations beyond these since the build
-  std::vector<std::int64_t> row_ids_;
+  int age_ = 0;                   // matrices since the build
+  int fewest_ = 0;                // iterations of a solve since the build
+  int excess_ = 0;                // iterations beyond these since the build
+  RowIds row_ids_, built_ids_;    // of today, of the build
   std::unique_ptr<Preconditioner> precond_;
+  std::unique_ptr<RowTransfer> transfer_;    // null: the rows are those of the build
   PrecondReport precond_report_;
   const char *fallback_reason_ = nullptr;
   BiCGStab krylov_;

@@ -7,17 +7,6 @@
 
 namespace aleisph {
 
-HaloExchange::HaloExchange(MPI_Comm comm)
-{
-  MPI_Comm_dup(comm, &comm_);
-  MPI_Comm_rank(comm_, &rank_);
-}
-
-HaloExchange::~HaloExchange()
-{
-  MPI_Comm_free(&comm_);
-}
-
 void HaloExchange::build(int nlocal, const std::vector<Owner> &owner)
 {
   std::vector<int> wanted;
@@ -42,7 +31,7 @@ void HaloExchange::sort_ghosts(int nlocal, const std::vector<Owner> &owner,
 
   std::vector<int> order;
   for (int g = 0; g < nghost; g++) {
-    remote_[g] = owner[g].rank != rank_;
+    remote_[g] = owner[g].rank != exchange_.rank();
     if (remote_[g]) {
       order.push_back(g);
     } else {
@@ -70,14 +59,22 @@ void HaloExchange::sort_ghosts(int nlocal, const std::vector<Owner> &owner,
   }
 }
 
+void HaloExchange::ask_owners(const std::vector<int> &wanted)
+{
+  std::vector<SparseExchange::Message> asked;
+  for (const Peer &peer : receives_)
+    asked.push_back({peer.rank, {wanted.begin() + peer.begin, wanted.begin() + peer.end}});
+  sends_.clear();
+  send_index_.clear();
+  for (const auto &request : exchange_.round(asked)) {
+    const int begin = static_cast<int>(send_index_.size());
+    send_index_.insert(send_index_.end(), request.data.begin(), request.data.end());
+    sends_.push_back({request.rank, begin, static_cast<int>(send_index_.size())});
+  }
+}
+
 #ifdef MPI_STUBS    // LAMMPS without MPI: one rank, nothing is remote
 
-void HaloExchange::ask_owners(const std::vector<int> &)
-{
-}
-void HaloExchange::receive_request()
-{
-}
 void HaloExchange::start_messages(const double *)
 {
 }
@@ -87,59 +84,17 @@ void HaloExchange::await_messages()
 
 #else
 
-// Who wants something of this rank is not known. All requests of a round have arrived when all
-// ranks have entered the barrier, which they do when theirs have been taken. A rank may be one
-// round ahead of another, hence two tags.
-void HaloExchange::ask_owners(const std::vector<int> &wanted)
-{
-  sends_.clear();
-  send_index_.clear();
-  tag_ = !tag_;
-  std::vector<MPI_Request> asked(receives_.size());
-  for (std::size_t k = 0; k < receives_.size(); k++) {
-    const Peer &peer = receives_[k];
-    MPI_Issend(wanted.data() + peer.begin, peer.end - peer.begin, MPI_INT, peer.rank, tag_, comm_,
-               &asked[k]);
-  }
-  MPI_Request barrier = MPI_REQUEST_NULL;
-  for (int entered = 0, done = 0; !done;) {
-    receive_request();
-    if (entered) {
-      MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
-    } else {
-      MPI_Testall(static_cast<int>(asked.size()), asked.data(), &entered, MPI_STATUSES_IGNORE);
-      if (entered) MPI_Ibarrier(comm_, &barrier);
-    }
-  }
-  // the order in which requests came in is chance
-  std::sort(sends_.begin(), sends_.end(),
-            [](const Peer &a, const Peer &b) { return a.rank < b.rank; });
-}
-
-void HaloExchange::receive_request()
-{
-  int there, count;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, tag_, comm_, &there, &status);
-  if (!there) return;
-  MPI_Get_count(&status, MPI_INT, &count);
-  const int begin = static_cast<int>(send_index_.size());
-  send_index_.resize(begin + count);
-  sends_.push_back({status.MPI_SOURCE, begin, begin + count});
-  MPI_Recv(send_index_.data() + begin, count, MPI_INT, status.MPI_SOURCE, tag_, comm_,
-           MPI_STATUS_IGNORE);
-}
-
 void HaloExchange::start_messages(const double *x)
 {
-  constexpr int DATA = 2;    // a tag that no request has
+  constexpr int TAG = SparseExchange::TAG;
+  MPI_Comm comm = exchange_.comm();
   MPI_Request *request = requests_.data();
   for (const Peer &peer : receives_)
-    MPI_Irecv(in_.data() + peer.begin, peer.end - peer.begin, MPI_DOUBLE, peer.rank, DATA, comm_,
+    MPI_Irecv(in_.data() + peer.begin, peer.end - peer.begin, MPI_DOUBLE, peer.rank, TAG, comm,
               request++);
   for (const Peer &peer : sends_) {
     for (int k = peer.begin; k < peer.end; k++) out_[k] = x[send_index_[k]];
-    MPI_Isend(out_.data() + peer.begin, peer.end - peer.begin, MPI_DOUBLE, peer.rank, DATA, comm_,
+    MPI_Isend(out_.data() + peer.begin, peer.end - peer.begin, MPI_DOUBLE, peer.rank, TAG, comm,
               request++);
   }
 }

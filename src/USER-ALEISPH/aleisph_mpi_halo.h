@@ -7,24 +7,21 @@
    whose owner is this very rank are copied and need no message.
 
    The plan belongs to one set of local indices: build() it again after each
-   re-neighboring. Built by sparse data exchange with non-blocking consensus,
-   Hoefler, Siebert & Lumsdaine, PPoPP 2010, without a table of all ranks.
+   re-neighboring.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_MPI_HALO_H
 #define LMP_ALEISPH_MPI_HALO_H
 
-#include <mpi.h>
+#include "aleisph_mpi_sparse.h"
+
 #include <vector>
 
 namespace aleisph {
 
 class HaloExchange {
  public:
-  explicit HaloExchange(MPI_Comm comm);    // has a communicator of its own, like comm
-  ~HaloExchange();
-  HaloExchange(const HaloExchange &) = delete;
-  HaloExchange &operator=(const HaloExchange &) = delete;
+  explicit HaloExchange(MPI_Comm comm) : exchange_(comm) {}
 
   // Collective. owner: of each ghost, rank and local index there; ghosts are the local indices
   // from nlocal on.
@@ -60,12 +57,10 @@ class HaloExchange {
 
   void sort_ghosts(int nlocal, const std::vector<Owner> &owner, std::vector<int> &wanted);
   void ask_owners(const std::vector<int> &wanted);
-  void receive_request();
   void start_messages(const double *x);
   void await_messages();
 
-  MPI_Comm comm_;
-  int rank_, tag_ = 0;
+  SparseExchange exchange_;
   std::vector<Peer> receives_, sends_;
   std::vector<int> send_index_;        // owned entries, message after message
   std::vector<Copy> images_, fill_;    // x to x; in_ to x

@@ -64,7 +64,8 @@ Result solve_with(PrecondType type, const Sparse &A, const Vector &b, KrylovPara
   };
   std::vector<double> x(matrix.columns(), 0.0);
   Result result;
-  result.report = solver.solve(matrix, make, MpiSum(), b.data() + matrix.first(), x.data(), params);
+  result.report = solver.solve(matrix, {make}, MpiSum(), b.data() + matrix.first(), x.data(),
+                               params);
   result.counts = solver.counts();
   result.x = matrix.gather(x.data());
   return result;

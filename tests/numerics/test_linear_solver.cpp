@@ -29,6 +29,23 @@ class Useless : public Preconditioner {
   double value_;
 };
 
+// the first two rows have changed places
+class Swap : public RowTransfer {
+ public:
+  explicit Swap(std::size_t rows) : rows_(rows) {}
+  void to_built(const double *present, double *built) override { swap(present, built); }
+  void to_present(const double *built, double *present) override { swap(built, present); }
+  double bytes() const override { return 0.0; }
+
+ private:
+  void swap(const double *from, double *to) const
+  {
+    std::copy_n(from, rows_, to);
+    std::swap(to[0], to[1]);
+  }
+  std::size_t rows_;
+};
+
 // A solver with a sequence of matrices, and the types that were asked for
 class Sequence {
  public:
@@ -62,7 +79,7 @@ class Sequence {
         return std::unique_ptr<Preconditioner>(std::make_unique<Useless>(n_ * n_, value_));
       return make_preconditioner(type, matrix_->csr(), report);
     };
-    return solver_.solve(op, make, ip_, b_.data(), x_.data(), params);
+    return solver_.solve(op, {make, move_}, ip_, b_.data(), x_.data(), params);
   }
 
   double error() const
@@ -77,6 +94,7 @@ class Sequence {
   Vector &b() { return b_; }
   const std::vector<PrecondType> &made() const { return made_; }
   void breaks(PrecondType type) { broken_ = type; }
+  void moves_with(LinearSolver::Mover move) { move_ = std::move(move); }
   void is_useless(PrecondType type, double value)
   {
     useless_ = type;
@@ -93,6 +111,7 @@ class Sequence {
   std::vector<PrecondType> made_;
   PrecondType broken_ = PrecondType::AMG, useless_ = PrecondType::AMG;
   double value_ = 0.0;
+  LinearSolver::Mover move_;
 };
 
 using Types = std::vector<PrecondType>;
@@ -174,6 +193,37 @@ TEST(LinearSolver, BuildsAnewForOtherRows)
   steps.next(0.1);
   steps.solve();
   EXPECT_EQ(steps.solver().counts().builds, 6);
+}
+
+// rows that only changed places are followed, from the build on; others are not
+TEST(LinearSolver, FollowsRows)
+{
+  Sequence steps(PrecondType::ILU0);
+  std::vector<RowIds> from;
+  bool possible = true;
+  steps.moves_with([&](const RowIds &before, const RowIds &) {
+    from.push_back(before);
+    return possible ? std::make_unique<Swap>(before.size()) : nullptr;
+  });
+  const RowIds first = steps.ids();
+  steps.next(0.1);
+  const int iterations = steps.solve().iterations;
+  EXPECT_TRUE(from.empty());
+  std::swap(steps.ids()[0], steps.ids()[1]);
+  for (int step = 0; step < 3; step++) {
+    steps.next(0.1);
+    EXPECT_NEAR(steps.solve().iterations, iterations, 5);    // two rows are in each other's place
+    EXPECT_LE(steps.error(), 1.0e-8);
+  }
+  EXPECT_EQ(from, std::vector<RowIds>{first});    // they moved once
+  EXPECT_EQ(steps.solver().counts().builds, 1);
+
+  possible = false;
+  std::swap(steps.ids()[7], steps.ids()[8]);
+  steps.next(0.1);
+  EXPECT_EQ(steps.solve().iterations, iterations);
+  EXPECT_EQ(from, (std::vector<RowIds>{first, first}));
+  EXPECT_EQ(steps.solver().counts().builds, 2);
 }
 
 // The matrix drifts away: iterations rise, and a new one brings them down again. Never more than

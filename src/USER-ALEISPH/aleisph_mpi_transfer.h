@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   Values of rows that have moved to other ranks and other places: from the
+   layout that they had when a preconditioner was built to that of today, and
+   back.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_MPI_TRANSFER_H
+#define LMP_ALEISPH_MPI_TRANSFER_H
+
+#include "aleisph_linear_solver.h"
+#include "aleisph_mpi_sparse.h"
+
+#include <memory>
+
+namespace aleisph {
+
+// before, after: IDs of the rows of this rank in their order, no ID twice on all ranks. Called by
+// all ranks together; null on all of them if the rows are not the same ones. exchange: must live
+// as long as what is returned.
+std::unique_ptr<RowTransfer> make_transfer(SparseExchange &exchange, const RowIds &before,
+                                           const RowIds &after);
+
+}    // namespace aleisph
+#endif
