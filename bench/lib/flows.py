@@ -41,13 +41,13 @@ def vortex_runs():
                           {"N": n, "marks": 5 if short else (5, 20)})
 
 
-def run_example(run, scratch, lines=()):
-    """One row per result line of the velocity. lines: of LAMMPS, added before the first step"""
+def run_example(run, scratch):
+    """One row per result line of the velocity."""
     folder = scene.EXAMPLES / run.case
     variables = {"vn": run.viscous, "tol": run.tol, **run.variables}
     if run.case == "poiseuille":
         variables.update(here=folder, python=sys.executable)
-    text = common.run_lammps(scene.with_exact_time(run.case, scratch, lines), variables, scratch)
+    text = common.run_lammps(scene.with_exact_time(run.case, scratch), variables, scratch)
     share = common.cpu_share(text)
     rows = []
     for line in common.lines_with(common.RESULT, text):

@@ -16,18 +16,14 @@ def script(case):
     return (EXAMPLES / case / f"in.{case}").read_text(encoding="ascii")
 
 
-def with_exact_time(case, folder, lines=()):
-    """Path of a copy of the script, in the folder, that prints its run time to microseconds.
-
-    lines: more of them, before the first step
-    """
+def with_exact_time(case, folder):
+    """Path of a copy of the script, in the folder, that prints its run time to microseconds."""
     text, old = script(case), "seconds=$(v_t1-v_t0:%.2f)"
     if old not in text:
         raise ValueError(f"in.{case} prints no {old}")
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"in.{case}"
-    text = text.replace(old, "seconds=$(v_t1-v_t0:%.6f)")
-    path.write_text(before_run(text, lines) if lines else text, encoding="ascii")
+    path.write_text(text.replace(old, "seconds=$(v_t1-v_t0:%.6f)"), encoding="ascii")
     return path
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-only
 """Taylor-Green vortices at Re = 100: second order in space, with the kernel of the paper and with
-a compact one, with which the error is below the published one of another incompressible SPH code.
+a compact one, with which the error is below the published one of another incompressible SPH code;
+moving particles.
 """
 
 import math
@@ -35,6 +36,14 @@ class Vortices(unittest.TestCase):
         print(error, self.order(error, 64, 128))
         for n, aim in AIM.items():
             self.assertLess(error[n], aim, f"N={n}")
+
+    def test_moving_particles(self):
+        """In order to the end at every time step; convection is of first order in time."""
+        error = {}
+        for vn in (0.1, 0.04, 0.02, 0.01):
+            error[vn] = results("taylor-green", N=32, frame="ale", vn=vn)[1.0]["l2"]
+        print(error)
+        self.assertGreaterEqual(math.log(error[0.04] / error[0.01]) / math.log(4), 1.0)
 
 
 if __name__ == "__main__":
