@@ -75,8 +75,9 @@ TEST(SolverStyle, KeptWhileParticlesAreSorted)
                                "neigh_modify every 1 delay 0 check no\n"
                                "atom_modify sort 1 0.01\n");
     EXPECT_LE(relative_l2(p, expected), 1.0e-8) << type;
-    EXPECT_EQ(sorted, still) << type;
-    EXPECT_LT(sorted, 5.0) << type;
+    // one for each sort would be 11; several ranks' ilu0 comes with other iterations
+    EXPECT_LE(sorted, still + 1.0) << type;
+    EXPECT_LE(still, 3.0) << type;
   }
 }
 
