@@ -113,8 +113,9 @@ void FixAleisphPPE::choose_preconditioner()
   solver.set_type(multigrid ? PrecondType::AMG : PrecondType::ILU0);
   if (comm->me == 0)
     utils::logmesg(lmp,
-                   fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns\n",
-                               to_string(solver.type()), atom->natoms));
+                   fmt::format("Fix aleisph/ppe: preconditioner {} for {} unknowns",
+                               to_string(solver.type()), atom->natoms) +
+                       "\n");
 }
 
 // The continued run starts with a new preconditioner: so must this one, for the same results
