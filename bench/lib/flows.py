@@ -14,7 +14,7 @@ class Run:
     case: str
     variant: str
     n: int
-    step: float        # 1, or 0.5 for half the time step
+    step: float        # time step over the largest one of the series
     viscous: float     # nu dt/d^2, before it is lowered to divide the times of comparison
     tol: float
     variables: dict

@@ -98,11 +98,11 @@ def run_peer(setup, folder):
 
 
 def run_own(setup, folder):
-    if setup.variant != "ale":
-        return run_example(setup, folder)
     try:
         return run_example(setup, folder)
     except RuntimeError as error:
+        if setup.variant != "ale":
+            raise
         named = common.error_of(str(error))
         return [{"case": NAME, "code": "aleisph", "variant": setup.variant, "n": setup.n,
                  "time": time, "failure": named} for time in TIMES]

@@ -21,15 +21,42 @@
 #include "pointers.h"
 #include "update.h"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
 
+// counts its messages, and the time that they take
+class AleisphRowTransfer : public aleisph::RowTransfer {
+ public:
+  AleisphRowTransfer(std::unique_ptr<aleisph::RowTransfer> transfer, FixAleisph &owner) :
+      transfer_(std::move(transfer)), owner_(owner)
+  {
+  }
+  void to_built(const double *present, double *built) override
+  {
+    aleisph::Timers::Scope scope(owner_.timers(), aleisph::Part::COMM);
+    transfer_->to_built(present, built);
+  }
+  void to_present(const double *built, double *present) override
+  {
+    aleisph::Timers::Scope scope(owner_.timers(), aleisph::Part::COMM);
+    transfer_->to_present(built, present);
+    owner_.count_messages(messages(), message_bytes());
+  }
+  int messages() const override { return transfer_->messages(); }
+  double message_bytes() const override { return transfer_->message_bytes(); }
+  double bytes() const override { return transfer_->bytes(); }
+
+ private:
+  std::unique_ptr<aleisph::RowTransfer> transfer_;
+  FixAleisph &owner_;
+};
+
 class AleisphHaloSolver : protected Pointers {
  public:
-  static constexpr long MAX_WARNINGS = 3;
-
   // caller: the fix, as messages name it
   AleisphHaloSolver(LAMMPS *lmp, const std::string &caller) :
       Pointers(lmp), caller_(caller), exchange_(world)
@@ -76,7 +103,10 @@ class AleisphHaloSolver : protected Pointers {
     };
     const auto move = [&](const aleisph::RowIds &before, const aleisph::RowIds &after) {
       aleisph::Timers::Scope scope(owner.timers(), aleisph::Part::PRECONDITIONER);
-      return aleisph::make_transfer(exchange_, before, after);
+      std::unique_ptr<aleisph::RowTransfer> transfer = aleisph::make_transfer(exchange_, before,
+                                                                              after);
+      if (transfer) transfer = std::make_unique<AleisphRowTransfer>(std::move(transfer), owner);
+      return transfer;
     };
     AleisphHaloOperator op(A, owner);
     const auto report = solver_.solve(op, {make, move}, owner.inner_product(), b, x, params);
@@ -85,6 +115,8 @@ class AleisphHaloSolver : protected Pointers {
   }
 
  private:
+  static constexpr long MAX_WARNINGS = 3;
+
   // Of every column: the rows of a rank follow those of the rank before. A double holds them.
   std::vector<long long> row_numbers(int rows, FixAleisph &owner) const
   {

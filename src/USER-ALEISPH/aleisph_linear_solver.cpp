@@ -23,28 +23,19 @@ bool hopeless(const SolveReport &report)    // the right hand side or the guess 
   return report.status == SolveStatus::NOT_FINITE && report.iterations == 0;
 }
 
-// A preconditioner of rows that have moved since it was built
-class Moved : public Preconditioner {
- public:
-  Moved(Preconditioner &built, RowTransfer &transfer, std::size_t rows) :
-      built_(built), transfer_(transfer), r_(rows), z_(rows)
-  {
-  }
-
-  void apply(const double *r, double *z) override
-  {
-    transfer_.to_built(r, r_.data());
-    built_.apply(r_.data(), z_.data());
-    transfer_.to_present(z_.data(), z);
-  }
-
- private:
-  Preconditioner &built_;
-  RowTransfer &transfer_;
-  std::vector<double> r_, z_;    // as built
-};
-
 }    // namespace
+
+void MovedPreconditioner::apply(const double *r, double *z)
+{
+  transfer_->to_built(r, r_.data());
+  built_.apply(r_.data(), z_.data());
+  transfer_->to_present(z_.data(), z);
+}
+
+double MovedPreconditioner::bytes() const
+{
+  return transfer_->bytes() + static_cast<double>(r_.capacity() + z_.capacity()) * sizeof(double);
+}
 
 void LinearSolver::set_type(PrecondType type)
 {
@@ -66,7 +57,7 @@ void LinearSolver::matrix_changed(RowIds row_ids)
 void LinearSolver::settle_stale(const Mover &move, const InnerProduct &ip)
 {
   if (!changed_) return;
-  double ranks[] = {1.0 * (stale_ || !precond_), 1.0 * moved_};
+  double ranks[] = {stale_ || !precond_ ? 1.0 : 0.0, moved_ ? 1.0 : 0.0};
   ip.sum(2, ranks);
   stale_ = ranks[0] > 0.0 || (ranks[1] > 0.0 && !follow(move));
   changed_ = moved_ = false;
@@ -74,15 +65,18 @@ void LinearSolver::settle_stale(const Mover &move, const InnerProduct &ip)
 
 bool LinearSolver::follow(const Mover &move)
 {
-  transfer_.reset();
-  if (move) transfer_ = move(built_ids_, row_ids_);
-  return transfer_ != nullptr;
+  moved_precond_.reset();
+  auto transfer = move ? move(built_ids_, row_ids_) : nullptr;
+  if (!transfer) return false;
+  moved_precond_ = std::make_unique<MovedPreconditioner>(std::move(transfer), *precond_,
+                                                         built_ids_.size());
+  return true;
 }
 
 bool LinearSolver::build(PrecondType type, const Maker &make)
 {
+  moved_precond_.reset();
   precond_.reset();    // before the next one: the memory is that of one
-  transfer_.reset();
   precond_ = make(type, precond_report_);
   built_ids_ = row_ids_;
   counts_.builds++;
@@ -102,12 +96,8 @@ void LinearSolver::attempt(LinearOperator &A, const InnerProduct &ip, const doub
                            KrylovParams params, SolveReport &total)
 {
   const SolveReport before = total;
-  if (transfer_) {
-    Moved moved(*precond_, *transfer_, built_ids_.size());
-    total = krylov_.solve(A, moved, ip, b, x, params);
-  } else {
-    total = krylov_.solve(A, *precond_, ip, b, x, params);
-  }
+  Preconditioner &M = moved_precond_ ? *moved_precond_ : *precond_;
+  total = krylov_.solve(A, M, ip, b, x, params);
   counts_.iterations += total.iterations;
   if (total.ok()) judge(total.iterations);
   total.iterations += before.iterations;
@@ -159,7 +149,8 @@ SolveReport LinearSolver::solve(LinearOperator &A, const Builder &builder, const
 
 double LinearSolver::bytes() const
 {
-  return krylov_.bytes() + precond_report_.bytes + (transfer_ ? transfer_->bytes() : 0.0) +
+  return krylov_.bytes() + precond_report_.bytes +
+      (moved_precond_ ? moved_precond_->bytes() : 0.0) +
       static_cast<double>(row_ids_.capacity() + built_ids_.capacity()) * sizeof(std::int64_t);
 }
 

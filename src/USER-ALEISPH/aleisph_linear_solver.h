@@ -21,10 +21,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace aleisph {
 
+// positive, each of them once on all ranks
 using RowIds = std::vector<std::int64_t>;
 
 // Values of the rows in the layout of a preconditioner's build and in the present one. Called by
@@ -34,7 +36,29 @@ class RowTransfer {
   virtual ~RowTransfer() = default;
   virtual void to_built(const double *present, double *built) = 0;
   virtual void to_present(const double *built, double *present) = 0;
-  virtual double bytes() const = 0;
+  // what this rank receives in the two together
+  virtual int messages() const = 0;
+  virtual double message_bytes() const = 0;
+  virtual double bytes() const = 0;    // memory held
+};
+
+// A preconditioner of rows that have moved since it was built
+class MovedPreconditioner : public Preconditioner {
+ public:
+  // rows: of this rank, when it was built
+  MovedPreconditioner(std::unique_ptr<RowTransfer> transfer, Preconditioner &built,
+                      std::size_t rows) :
+      transfer_(std::move(transfer)),
+      built_(built), r_(rows), z_(rows)
+  {
+  }
+  void apply(const double *r, double *z) override;
+  double bytes() const;
+
+ private:
+  std::unique_ptr<RowTransfer> transfer_;
+  Preconditioner &built_;
+  std::vector<double> r_, z_;    // as built
 };
 
 class LinearSolver {
@@ -43,7 +67,7 @@ class LinearSolver {
   // all ranks together, with report.failure set, if that is not possible.
   using Maker = std::function<std::unique_ptr<Preconditioner>(PrecondType, PrecondReport &)>;
   // From the rows of a build to those of today, on all ranks together; null, on all ranks
-  // together, if they are not the same.
+  // together, if a new preconditioner is to be built instead.
   using Mover = std::function<std::unique_ptr<RowTransfer>(const RowIds &, const RowIds &)>;
   struct Builder {
     Maker make;
@@ -97,7 +121,7 @@ class LinearSolver {
   int excess_ = 0;                // iterations beyond these since the build
   RowIds row_ids_, built_ids_;    // of today, of the build
   std::unique_ptr<Preconditioner> precond_;
-  std::unique_ptr<RowTransfer> transfer_;    // null: the rows are those of the build
+  std::unique_ptr<MovedPreconditioner> moved_precond_;    // null: the rows are those of the build
   PrecondReport precond_report_;
   const char *fallback_reason_ = nullptr;
   BiCGStab krylov_;

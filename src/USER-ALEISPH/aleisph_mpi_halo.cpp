@@ -12,9 +12,6 @@ void HaloExchange::build(int nlocal, const std::vector<Owner> &owner)
   std::vector<int> wanted;
   sort_ghosts(nlocal, owner, wanted);
   ask_owners(wanted);
-  in_.resize(wanted.size());
-  out_.resize(send_index_.size());
-  requests_.resize(receives_.size() + sends_.size());
 }
 
 // wanted: the owners' indices of the entries of in_, rank after rank
@@ -22,7 +19,7 @@ void HaloExchange::sort_ghosts(int nlocal, const std::vector<Owner> &owner,
                                std::vector<int> &wanted)
 {
   const int nghost = static_cast<int>(owner.size());
-  receives_.clear();
+  in_.clear();
   images_.clear();
   fill_.clear();
   remote_.assign(nghost, 0);
@@ -50,11 +47,9 @@ void HaloExchange::sort_ghosts(int nlocal, const std::vector<Owner> &owner,
     if (!same_rank || owner[first].index != owner[g].index) {
       first = g;
       wanted.push_back(owner[g].index);
+      in_.append(owner[g].rank);
     }
-    const int entry = static_cast<int>(wanted.size()) - 1;
-    if (!same_rank) receives_.push_back({owner[g].rank, entry, entry});
-    receives_.back().end = entry + 1;
-    fill_.push_back({entry, nlocal + g});
+    fill_.push_back({in_.size() - 1, nlocal + g});
     canonical_[nlocal + g] = nlocal + first;
   }
 }
@@ -62,59 +57,26 @@ void HaloExchange::sort_ghosts(int nlocal, const std::vector<Owner> &owner,
 void HaloExchange::ask_owners(const std::vector<int> &wanted)
 {
   std::vector<SparseExchange::Message> asked;
-  for (const Peer &peer : receives_)
-    asked.push_back({peer.rank, {wanted.begin() + peer.begin, wanted.begin() + peer.end}});
-  sends_.clear();
+  for (const auto &from : in_.messages())
+    asked.push_back({from.rank, {wanted.begin() + from.begin, wanted.begin() + from.end}});
+  out_.clear();
   send_index_.clear();
   for (const auto &request : exchange_.round(asked)) {
-    const int begin = static_cast<int>(send_index_.size());
+    out_.append(request.rank, static_cast<int>(request.data.size()));
     send_index_.insert(send_index_.end(), request.data.begin(), request.data.end());
-    sends_.push_back({request.rank, begin, static_cast<int>(send_index_.size())});
   }
 }
-
-#ifdef MPI_STUBS    // LAMMPS without MPI: one rank, nothing is remote
-
-void HaloExchange::start_messages(const double *)
-{
-}
-void HaloExchange::await_messages()
-{
-}
-
-#else
-
-void HaloExchange::start_messages(const double *x)
-{
-  constexpr int TAG = SparseExchange::TAG;
-  MPI_Comm comm = exchange_.comm();
-  MPI_Request *request = requests_.data();
-  for (const Peer &peer : receives_)
-    MPI_Irecv(in_.data() + peer.begin, peer.end - peer.begin, MPI_DOUBLE, peer.rank, TAG, comm,
-              request++);
-  for (const Peer &peer : sends_) {
-    for (int k = peer.begin; k < peer.end; k++) out_[k] = x[send_index_[k]];
-    MPI_Isend(out_.data() + peer.begin, peer.end - peer.begin, MPI_DOUBLE, peer.rank, TAG, comm,
-              request++);
-  }
-}
-
-void HaloExchange::await_messages()
-{
-  MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
-}
-
-#endif
 
 void HaloExchange::start(double *x)
 {
-  start_messages(x);
+  for (std::size_t k = 0; k < send_index_.size(); k++) out_[k] = x[send_index_[k]];
+  values_.start(exchange_.comm(), SparseExchange::TAG, out_, in_);
   for (const Copy &copy : images_) x[copy.to] = x[copy.from];
 }
 
 void HaloExchange::finish(double *x)
 {
-  await_messages();
+  values_.finish();
   for (const Copy &copy : fill_) x[copy.to] = in_[copy.from];
 }
 
@@ -122,8 +84,8 @@ double HaloExchange::bytes() const
 {
   return static_cast<double>((send_index_.capacity() + canonical_.capacity()) * sizeof(int) +
                              (images_.capacity() + fill_.capacity()) * sizeof(Copy) +
-                             (in_.capacity() + out_.capacity()) * sizeof(double) +
-                             remote_.capacity());
+                             remote_.capacity()) +
+      in_.bytes() + out_.bytes();
 }
 
 }    // namespace aleisph

@@ -13,6 +13,7 @@
 #ifndef LMP_ALEISPH_MPI_HALO_H
 #define LMP_ALEISPH_MPI_HALO_H
 
+#include "aleisph_mpi_messages.h"
 #include "aleisph_mpi_sparse.h"
 
 #include <vector>
@@ -43,29 +44,23 @@ class HaloExchange {
   const int *canonical() const { return canonical_.data(); }
 
   // what one exchange receives
-  int messages() const { return static_cast<int>(receives_.size()); }
-  double message_bytes() const { return static_cast<double>(sizeof(double)) * in_.size(); }
+  int messages() const { return static_cast<int>(in_.messages().size()); }
+  double message_bytes() const { return in_.message_bytes(); }
   double bytes() const;    // memory held
 
  private:
-  struct Peer {
-    int rank, begin, end;    // entries of its message in in_ or out_
-  };
   struct Copy {
     int from, to;
   };
 
   void sort_ghosts(int nlocal, const std::vector<Owner> &owner, std::vector<int> &wanted);
   void ask_owners(const std::vector<int> &wanted);
-  void start_messages(const double *x);
-  void await_messages();
 
   SparseExchange exchange_;
-  std::vector<Peer> receives_, sends_;
-  std::vector<int> send_index_;        // owned entries, message after message
+  ValueExchange values_;
+  RankValues in_, out_;
+  std::vector<int> send_index_;        // of the values of out_, owned entries
   std::vector<Copy> images_, fill_;    // x to x; in_ to x
-  std::vector<double> in_, out_;
-  std::vector<MPI_Request> requests_;
   std::vector<char> remote_;
   std::vector<int> canonical_;
 };

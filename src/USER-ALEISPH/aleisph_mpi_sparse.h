@@ -17,7 +17,7 @@ namespace aleisph {
 
 class SparseExchange {
  public:
-  // for the caller's messages in this communicator
+  // for the caller's messages in this communicator; 0 and 1 are those of the rounds
   static constexpr int TAG = 2;
   struct Message {
     int rank;

@@ -2,64 +2,141 @@
 
 #include "aleisph_mpi_transfer.h"
 
+#include "aleisph_mpi_messages.h"
+
 #include <algorithm>
 #include <map>
-#include <unordered_map>
+#include <tuple>
+#include <utility>
 
 namespace aleisph {
 namespace {
 
-// Where a row went, or where it came from
-struct Moved {
+// Beyond this share of rows on other ranks than at the build, these ranks may have other shares of
+// the work, too: a new preconditioner is the better one
+constexpr double MAX_LEFT = 0.1;
+
+// A row that went to another rank, or came from there
+struct Migrant {
   std::int64_t id;
-  int peer, row;
+  int row;     // where it was, or where it is
+  int peer;    // that rank
+};
+using Migrants = std::vector<Migrant>;
+
+// Who went and who came: a rank that follows from the ID brings the two ranks of a row together
+class Rendezvous {
+ public:
+  explicit Rendezvous(SparseExchange &exchange) : exchange_(exchange) {}
+
+  // Sets the peers; false on the rank that knows a row which went but did not come, or the reverse
+  bool meet(Migrants &left, Migrants &came)
+  {
+    ask(LEFT, left);
+    ask(CAME, came);
+    std::vector<Guest> guests = receive();
+    const bool complete = introduce(guests);
+    for (const auto &message : exchange_.round(take()))
+      for (std::size_t k = 0; k < message.data.size(); k += WORDS)
+        (message.data[k] == LEFT ? left : came)[message.data[k + 1]].peer = static_cast<int>(
+            message.data[k + 2]);
+    return complete;
+  }
+
+ private:
+  static constexpr int LEFT = 0, CAME = 1;
+  static constexpr std::size_t WORDS = 3;    // side, place in the list of that side, ID or rank
+
+  struct Guest {
+    std::int64_t id, side, place;
+    int rank;
+  };
+
+  void say(int rank, std::int64_t side, std::int64_t place, std::int64_t what)
+  {
+    auto &words = words_[rank];
+    words.insert(words.end(), {side, place, what});
+  }
+
+  void ask(int side, const Migrants &rows)
+  {
+    for (std::size_t k = 0; k < rows.size(); k++)
+      say(static_cast<int>(rows[k].id % exchange_.ranks()), side, static_cast<std::int64_t>(k),
+          rows[k].id);
+  }
+
+  // what was said, to be sent
+  std::vector<SparseExchange::Message> take()
+  {
+    std::vector<SparseExchange::Message> list;
+    for (auto &[rank, words] : words_) list.push_back({rank, std::move(words)});
+    words_.clear();
+    return list;
+  }
+
+  std::vector<Guest> receive()
+  {
+    std::vector<Guest> guests;
+    for (const auto &message : exchange_.round(take()))
+      for (std::size_t k = 0; k < message.data.size(); k += WORDS)
+        guests.push_back({message.data[k + 2], message.data[k], message.data[k + 1], message.rank});
+    return guests;
+  }
+
+  // pairs of one that went and one that came
+  bool introduce(std::vector<Guest> &guests)
+  {
+    std::sort(guests.begin(), guests.end(), [](const Guest &a, const Guest &b) {
+      return std::tie(a.id, a.side, a.rank) < std::tie(b.id, b.side, b.rank);
+    });
+    std::size_t k = 0;
+    for (; k + 1 < guests.size(); k += 2) {
+      const Guest &from = guests[k], &to = guests[k + 1];
+      if (from.id != to.id || from.side != LEFT || to.side != CAME) return false;
+      say(from.rank, LEFT, from.place, to.rank);
+      say(to.rank, CAME, to.place, from.rank);
+    }
+    return k == guests.size();
+  }
+
+  SparseExchange &exchange_;
+  std::map<int, std::vector<std::int64_t>> words_;    // to each rank
 };
 
-// The rows of one layout that other ranks have in the other one, message after message
+// The values of the rows that one layout has on this rank and the other one elsewhere
 class Side {
  public:
-  void set(std::vector<Moved> moved)
+  void set(Migrants migrants)
   {
-    std::sort(moved.begin(), moved.end(), [](const Moved &a, const Moved &b) {
-      return a.peer != b.peer ? a.peer < b.peer : a.id < b.id;
+    std::sort(migrants.begin(), migrants.end(), [](const Migrant &a, const Migrant &b) {
+      return std::tie(a.peer, a.id) < std::tie(b.peer, b.id);
     });
-    for (const Moved &row : moved) {
-      const int k = static_cast<int>(rows_.size());
-      if (peers_.empty() || peers_.back().rank != row.peer) peers_.push_back({row.peer, k, k});
-      peers_.back().end = k + 1;
-      rows_.push_back(row.row);
+    for (const Migrant &one : migrants) {
+      rows_.push_back(one.row);
+      values_.append(one.peer);
     }
-    buffer_.resize(rows_.size());
   }
 
   void pack(const double *x)
   {
-    for (std::size_t k = 0; k < rows_.size(); k++) buffer_[k] = x[rows_[k]];
+    for (std::size_t k = 0; k < rows_.size(); k++) values_[k] = x[rows_[k]];
   }
   void unpack(double *x) const
   {
-    for (std::size_t k = 0; k < rows_.size(); k++) x[rows_[k]] = buffer_[k];
-  }
-  // start(buffer, count, rank) for every message
-  template <class Start> void each(const Start &start)
-  {
-    for (const Peer &peer : peers_)
-      start(buffer_.data() + peer.begin, peer.end - peer.begin, peer.rank);
+    for (std::size_t k = 0; k < rows_.size(); k++) x[rows_[k]] = values_[k];
   }
 
-  int messages() const { return static_cast<int>(peers_.size()); }
+  RankValues &values() { return values_; }
+  const RankValues &values() const { return values_; }
+  int size() const { return values_.size(); }
   double bytes() const
   {
-    return static_cast<double>(rows_.capacity()) * (sizeof(int) + sizeof(double));
+    return static_cast<double>(rows_.capacity() * sizeof(int)) + values_.bytes();
   }
 
  private:
-  struct Peer {
-    int rank, begin, end;
-  };
-  std::vector<Peer> peers_;
   std::vector<int> rows_;
-  std::vector<double> buffer_;
+  RankValues values_;
 };
 
 class MpiTransfer : public RowTransfer {
@@ -67,138 +144,80 @@ class MpiTransfer : public RowTransfer {
   MpiTransfer(SparseExchange &exchange, const RowIds &before, const RowIds &after) :
       exchange_(exchange), place_(after.size(), -1)
   {
-    std::vector<Moved> left, came;    // peers: not known yet
+    Migrants left, came;
     compare(before, after, left, came);
-    complete_ = meet(left, came);
+    complete_ = Rendezvous(exchange).meet(left, came);
     left_.set(std::move(left));
     came_.set(std::move(came));
   }
 
   bool complete() const { return complete_; }    // as far as this rank knows
+  int left() const { return left_.size(); }
 
-  void to_built(const double *now, double *built) override
+  void to_built(const double *present, double *built) override
   {
     for (std::size_t j = 0; j < place_.size(); j++)
-      if (place_[j] >= 0) built[place_[j]] = now[j];
-    send(came_, now, left_, built);
+      if (place_[j] >= 0) built[place_[j]] = present[j];
+    send(came_, present, left_, built);
   }
-  void to_present(const double *built, double *now) override
+  void to_present(const double *built, double *present) override
   {
     for (std::size_t j = 0; j < place_.size(); j++)
-      if (place_[j] >= 0) now[j] = built[place_[j]];
-    send(left_, built, came_, now);
+      if (place_[j] >= 0) present[j] = built[place_[j]];
+    send(left_, built, came_, present);
   }
 
+  int messages() const override
+  {
+    return static_cast<int>(left_.values().messages().size() + came_.values().messages().size());
+  }
+  double message_bytes() const override
+  {
+    return left_.values().message_bytes() + came_.values().message_bytes();
+  }
   double bytes() const override
   {
-    return static_cast<double>(place_.capacity()) * sizeof(int) + left_.bytes() + came_.bytes();
+    return static_cast<double>(place_.capacity() * sizeof(int)) + left_.bytes() + came_.bytes();
   }
 
  private:
-  // most rows are where they were
-  void compare(const RowIds &before, const RowIds &after, std::vector<Moved> &left,
-               std::vector<Moved> &came)
+  // most rows are where they were, or elsewhere on this rank
+  void compare(const RowIds &before, const RowIds &after, Migrants &left, Migrants &came)
   {
-    std::unordered_map<std::int64_t, int> elsewhere;
+    std::vector<std::pair<std::int64_t, int>> others;    // ID and place before
     for (std::size_t i = 0; i < before.size(); i++) {
       if (i < after.size() && before[i] == after[i])
         place_[i] = static_cast<int>(i);
       else
-        elsewhere[before[i]] = static_cast<int>(i);
+        others.emplace_back(before[i], static_cast<int>(i));
     }
+    std::sort(others.begin(), others.end());
+    std::vector<char> found(others.size(), 0);
     for (std::size_t j = 0; j < after.size(); j++) {
       if (place_[j] >= 0) continue;
-      const auto found = elsewhere.find(after[j]);
-      if (found == elsewhere.end()) {
-        came.push_back({after[j], -1, static_cast<int>(j)});
+      const auto other = std::lower_bound(others.begin(), others.end(),
+                                          std::make_pair(after[j], 0));
+      if (other == others.end() || other->first != after[j]) {
+        came.push_back({after[j], static_cast<int>(j), -1});
       } else {
-        place_[j] = found->second;
-        elsewhere.erase(found);
+        place_[j] = other->second;
+        found[other - others.begin()] = 1;
       }
     }
-    for (const auto &row : elsewhere) left.push_back({row.first, -1, row.second});
+    for (std::size_t k = 0; k < others.size(); k++)
+      if (!found[k]) left.push_back({others[k].first, others[k].second, -1});
   }
 
-  // A rank that follows from the ID brings together the rank where a row was and that where it is.
-  // false: it knows one of them only.
-  bool meet(std::vector<Moved> &left, std::vector<Moved> &came)
-  {
-    constexpr int LEFT = 0, CAME = 1;
-    std::map<int, std::vector<std::int64_t>> questions;    // of (side, place on that side, ID)
-    const auto ask = [&](int side, const std::vector<Moved> &rows) {
-      for (std::size_t k = 0; k < rows.size(); k++) {
-        auto &question = questions[static_cast<int>(rows[k].id % exchange_.ranks())];
-        question.insert(question.end(), {side, static_cast<std::int64_t>(k), rows[k].id});
-      }
-    };
-    ask(LEFT, left);
-    ask(CAME, came);
-
-    struct End {
-      int rank;
-      std::int64_t place;
-    };
-    std::map<std::int64_t, std::vector<End>> ends[2];    // by ID
-    for (const auto &message : exchange_.round(messages(questions)))
-      for (std::size_t k = 0; k < message.data.size(); k += 3)
-        ends[message.data[k]][message.data[k + 2]].push_back({message.rank, message.data[k + 1]});
-
-    bool complete = ends[LEFT].size() == ends[CAME].size();
-    std::map<int, std::vector<std::int64_t>> answers;    // of (side, place, the other's rank)
-    for (const auto &[id, from] : ends[LEFT]) {
-      const auto to = ends[CAME].find(id);
-      if (to == ends[CAME].end() || from.size() != 1 || to->second.size() != 1) {
-        complete = false;
-        continue;
-      }
-      const End &a = from.front(), &b = to->second.front();
-      auto &to_a = answers[a.rank];
-      to_a.insert(to_a.end(), {LEFT, a.place, b.rank});
-      auto &to_b = answers[b.rank];
-      to_b.insert(to_b.end(), {CAME, b.place, a.rank});
-    }
-    for (const auto &message : exchange_.round(messages(answers)))
-      for (std::size_t k = 0; k < message.data.size(); k += 3)
-        (message.data[k] == LEFT ? left : came)[message.data[k + 1]].peer = static_cast<int>(
-            message.data[k + 2]);
-    return complete;
-  }
-
-  static std::vector<SparseExchange::Message>
-  messages(const std::map<int, std::vector<std::int64_t>> &by_rank)
-  {
-    std::vector<SparseExchange::Message> list;
-    for (const auto &[rank, data] : by_rank) list.push_back({rank, data});
-    return list;
-  }
-
-#ifdef MPI_STUBS    // LAMMPS without MPI: one rank, no row leaves it
-  void send(Side &, const double *, Side &, double *)
-  {
-  }
-#else
   void send(Side &from, const double *x, Side &to, double *y)
   {
-    std::vector<MPI_Request> requests;
-    requests.reserve(from.messages() + to.messages());
-    const auto next = [&requests] {
-      requests.push_back(MPI_REQUEST_NULL);
-      return &requests.back();
-    };
-    constexpr int TAG = SparseExchange::TAG;
-    to.each([&](double *values, int n, int rank) {
-      MPI_Irecv(values, n, MPI_DOUBLE, rank, TAG, exchange_.comm(), next());
-    });
     from.pack(x);
-    from.each([&](double *values, int n, int rank) {
-      MPI_Isend(values, n, MPI_DOUBLE, rank, TAG, exchange_.comm(), next());
-    });
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    values_.start(exchange_.comm(), SparseExchange::TAG, from.values(), to.values());
+    values_.finish();
     to.unpack(y);
   }
-#endif
 
   SparseExchange &exchange_;
+  ValueExchange values_;
   std::vector<int> place_;    // of a row of today, when it was built; -1: on another rank
   Side left_, came_;          // rows of then, rows of today
   bool complete_ = true;
@@ -210,9 +229,10 @@ std::unique_ptr<RowTransfer> make_transfer(SparseExchange &exchange, const RowId
                                            const RowIds &after)
 {
   auto transfer = std::make_unique<MpiTransfer>(exchange, before, after);
-  int incomplete = !transfer->complete(), any;
-  MPI_Allreduce(&incomplete, &any, 1, MPI_INT, MPI_MAX, exchange.comm());
-  if (any) return nullptr;
+  double sums[] = {transfer->complete() ? 0.0 : 1.0, static_cast<double>(transfer->left()),
+                   static_cast<double>(before.size())};
+  MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, exchange.comm());
+  if (sums[0] > 0.0 || sums[1] > MAX_LEFT * sums[2]) return nullptr;
   return transfer;
 }
 

@@ -15,9 +15,9 @@
 
 namespace aleisph {
 
-// before, after: IDs of the rows of this rank in their order, no ID twice on all ranks. Called by
-// all ranks together; null on all of them if the rows are not the same ones. exchange: must live
-// as long as what is returned.
+// before, after: IDs of the rows of this rank in their order. Called by all ranks together; null on
+// all of them if the rows are not the same ones, or if many have left their rank. exchange: must
+// live as long as what is returned.
 std::unique_ptr<RowTransfer> make_transfer(SparseExchange &exchange, const RowIds &before,
                                            const RowIds &after);
 

@@ -222,6 +222,8 @@ class FixAleisph : public Fix {
   void start_halo(double *field);
   void finish_halo(double *field);
   const aleisph::HaloExchange &halo() const { return *halo_; }    // of the present local indices
+  // received otherwise: for the report after a run
+  void count_messages(int messages, double bytes);
   const aleisph::RowSplit &row_split();    // rows of the stencil; boundary: with remote columns
   // impose the velocity conditions on v, then make its ghosts valid
   void complete_velocity(double *v);

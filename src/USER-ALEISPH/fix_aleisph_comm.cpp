@@ -43,8 +43,7 @@ void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
   const std::size_t bytes = sizeof(double) * n * halo_ncomp_;
   std::memcpy(halo_field_ + static_cast<std::size_t>(halo_ncomp_) * first, buf, bytes);
   if (n == 0 || buf == packed_) return;
-  traffic_.messages++;
-  traffic_.bytes += bytes;
+  count_messages(1, static_cast<double>(bytes));
 }
 
 /* ----------------------------------------------------------------------
@@ -73,8 +72,7 @@ void FixAleisph::start_halo(double *field)
 {
   aleisph::Timers::Scope scope(timers_, Part::COMM);
   traffic_.exchanges++;
-  traffic_.messages += halo_->messages();
-  traffic_.bytes += halo_->message_bytes();
+  count_messages(halo_->messages(), halo_->message_bytes());
   halo_->start(field);
 }
 
@@ -82,6 +80,12 @@ void FixAleisph::finish_halo(double *field)
 {
   aleisph::Timers::Scope scope(timers_, Part::COMM);
   halo_->finish(field);
+}
+
+void FixAleisph::count_messages(int messages, double bytes)
+{
+  traffic_.messages += messages;
+  traffic_.bytes += bytes;
 }
 
 const aleisph::RowSplit &FixAleisph::row_split()

@@ -23,7 +23,6 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 #include "fix.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {

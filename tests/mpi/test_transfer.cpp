@@ -37,13 +37,19 @@ Layout shuffled(Layout layout, double share, unsigned seed)
   return layout;
 }
 
-// the first rank gives rows to the last one
-void unbalance(Layout &layout, std::size_t rows)
+void give(RowIds &from, RowIds &to, std::size_t rows)
 {
-  RowIds &from = layout.front(), &to = layout.back();
   if (&from == &to) return;
   to.insert(to.begin(), from.end() - rows, from.end());
   from.resize(from.size() - rows);
+}
+
+// also the order within a rank
+Layout shuffled_within(Layout layout, unsigned seed)
+{
+  std::mt19937 random(seed);
+  for (RowIds &ids : layout) std::shuffle(ids.begin(), ids.end(), random);
+  return layout;
 }
 
 double value(std::int64_t id)
@@ -70,7 +76,23 @@ class TransferTest : public testing::Test {
   {
     return make_transfer(exchange_, mine(before_), mine(after));
   }
+
+  void expect_transfer(const Layout &after)
+  {
+    const auto transfer = to(after);
+    ASSERT_NE(transfer, nullptr);
+    std::vector<double> built(mine(before_).size()), now(mine(after).size());
+    std::transform(mine(after).begin(), mine(after).end(), now.begin(), value);
+    transfer->to_built(now.data(), built.data());
+    expect_values(mine(before_), built);
+    std::fill(now.begin(), now.end(), 0.0);
+    transfer->to_present(built.data(), now.data());
+    expect_values(mine(after), now);
+    EXPECT_EQ(transfer->messages() > 0, transfer->message_bytes() > 0.0);
+  }
+
   const RowIds &mine(const Layout &layout) const { return layout[exchange_.rank()]; }
+  int ranks() const { return exchange_.ranks(); }
 
   SparseExchange exchange_;
   Layout before_;
@@ -80,46 +102,60 @@ class TransferTest : public testing::Test {
 
 TEST_F(TransferTest, Values)
 {
-  for (const double share : {0.0, 0.02, 0.5, 1.0})
-    for (const std::size_t given : {0, 50, 200}) {
-      SCOPED_TRACE(testing::Message() << share << " " << given);
-      Layout after = shuffled(before_, share, 2);
-      unbalance(after, given);
-      const auto transfer = to(after);
-      ASSERT_NE(transfer, nullptr);
-      std::vector<double> built(mine(before_).size()), now(mine(after).size());
-      std::transform(mine(after).begin(), mine(after).end(), now.begin(), value);
-      transfer->to_built(now.data(), built.data());
-      expect_values(mine(before_), built);
-      std::fill(now.begin(), now.end(), 0.0);
-      transfer->to_present(built.data(), now.data());
-      expect_values(mine(after), now);
-    }
+  for (const double share : {0.0, 0.02, 0.05})
+    for (const std::size_t given : {0, 10})
+      for (const bool within : {false, true}) {
+        SCOPED_TRACE(testing::Message() << share << " " << given << " " << within);
+        Layout after = shuffled(before_, share, 2);
+        give(after.front(), after.back(), given);
+        expect_transfer(within ? shuffled_within(after, 3) : after);
+      }
 }
 
-// a row that went, one that came, one instead of another: on one rank, and known to all of them
+// before, after, or both
+TEST_F(TransferTest, RankWithoutRows)
+{
+  Layout empty = before_;
+  give(empty.back(), empty.front(), ranks() > 1 ? 200 : 0);
+  Layout few = empty;
+  give(few.front(), few.back(), 15);
+  before_ = empty;
+  expect_transfer(empty);
+  expect_transfer(few);
+  before_ = few;
+  expect_transfer(empty);
+}
+
+// a row that is lost, one that is added, one instead of another: on one rank, and known to all
 TEST_F(TransferTest, OtherRowsAreNoTransfer)
 {
-  Layout after = before_;
-  after.back().pop_back();
-  EXPECT_EQ(to(after), nullptr);
-  after.front().push_back(1);
-  EXPECT_EQ(to(after), nullptr);
-  after = before_;
-  after.front().push_back(2);
-  EXPECT_EQ(to(after), nullptr);
+  Layout less = before_, more = before_, another = before_;
+  less.back().pop_back();
+  more.front().push_back(2);
+  another.front().front() = 2;
+  for (const Layout &after : {less, more, another}) EXPECT_EQ(to(after), nullptr);
   EXPECT_NE(to(before_), nullptr);
 }
 
-// -lap u + strength u_x with rows in another order on other ranks: multigrid and ILU(0) that were
-// built before do as well as on the first day
+TEST_F(TransferTest, ManyRowsOnOtherRanksAreNoTransfer)
+{
+  EXPECT_EQ(to(shuffled(before_, 1.0, 4)) == nullptr, ranks() > 1);
+}
+
+// -lap u + strength u_x with rows in another order, some of them on other ranks: multigrid and
+// ILU(0) that were built before do as well as on the first day
 TEST(Transfer, PreconditionerIsThatOfTheSameRows)
 {
   constexpr int N = 24, ROWS = N * N;
   const Sparse A = convection_diffusion(N, 0.5);
   std::vector<int> order(ROWS);
   std::iota(order.begin(), order.end(), 0);
-  std::shuffle(order.begin(), order.end(), std::mt19937(3));
+  std::mt19937 random(3);
+  int ranks;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  for (int r = 0; r < ranks; r++)
+    std::shuffle(order.begin() + ROWS / ranks * r, order.begin() + ROWS / ranks * (r + 1), random);
+  for (int k = 0; k < 10; k++) std::swap(order[random() % ROWS], order[random() % ROWS]);
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < ROWS; i++)
     for (Sparse::InnerIterator it(A, i); it; ++it)

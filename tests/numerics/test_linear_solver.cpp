@@ -35,6 +35,8 @@ class Swap : public RowTransfer {
   explicit Swap(std::size_t rows) : rows_(rows) {}
   void to_built(const double *present, double *built) override { swap(present, built); }
   void to_present(const double *built, double *present) override { swap(built, present); }
+  int messages() const override { return 0; }
+  double message_bytes() const override { return 0.0; }
   double bytes() const override { return 0.0; }
 
  private:
@@ -224,6 +226,47 @@ TEST(LinearSolver, FollowsRows)
   EXPECT_EQ(steps.solve().iterations, iterations);
   EXPECT_EQ(from, (std::vector<RowIds>{first, first}));
   EXPECT_EQ(steps.solver().counts().builds, 2);
+}
+
+// one of rows that have moved, too, is built anew before anything else, for the rows of today
+TEST(LinearSolver, NewOneWhenAMovedOneFails)
+{
+  Sequence steps(PrecondType::ILU0);
+  int moves = 0;
+  steps.moves_with([&](const RowIds &before, const RowIds &) {
+    moves++;
+    return std::make_unique<Swap>(before.size());
+  });
+  steps.next(0.1);
+  steps.solve();
+  std::swap(steps.ids()[0], steps.ids()[1]);
+  steps.next(400.0);    // far off
+  EXPECT_TRUE(steps.solve().ok());
+  EXPECT_LE(steps.error(), 1.0e-8);
+  EXPECT_EQ(steps.made(), (Types{PrecondType::ILU0, PrecondType::ILU0}));
+  EXPECT_EQ(steps.solver().counts().fallbacks, 0);
+  steps.next(400.0);
+  EXPECT_TRUE(steps.solve().ok());
+  EXPECT_EQ(moves, 1);
+}
+
+// and is forgotten like any other one
+TEST(LinearSolver, ForgetsAMovedOne)
+{
+  Sequence going(PrecondType::ILU0), fresh(PrecondType::ILU0);
+  going.moves_with(
+      [](const RowIds &before, const RowIds &) { return std::make_unique<Swap>(before.size()); });
+  going.next(0.1);
+  going.solve();
+  std::swap(going.ids()[0], going.ids()[1]);
+  going.next(0.1);
+  going.solve();
+  going.solver().forget();
+  for (int step = 0; step < 3; step++) {
+    for (Sequence *steps : {&going, &fresh}) steps->next(0.1);
+    EXPECT_EQ(going.solve().residual, fresh.solve().residual);
+  }
+  EXPECT_EQ(going.solver().counts().builds, 2);
 }
 
 // The matrix drifts away: iterations rise, and a new one brings them down again. Never more than

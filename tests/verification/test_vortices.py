@@ -38,7 +38,7 @@ class Vortices(unittest.TestCase):
             self.assertLess(error[n], aim, f"N={n}")
 
     def test_moving_particles(self):
-        """In order to the end at every time step; convection is of first order in time."""
+        """In order to the end at every time step; motion and convection are of first order in time."""
         error = {}
         for vn in (0.1, 0.04, 0.02, 0.01):
             error[vn] = results("taylor-green", N=32, frame="ale", vn=vn)[1.0]["l2"]

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   One message to, or from, each of several ranks that know of it, again and
+   again. Who they are can be found out by SparseExchange.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_MPI_MESSAGES_H
+#define LMP_ALEISPH_MPI_MESSAGES_H
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace aleisph {
+
+// The values of all messages of one direction, message after message
+class RankValues {
+ public:
+  struct Message {
+    int rank, begin, end;    // values
+  };
+
+  void clear();
+  // for this rank: to its message if it is the last one, else to a new message
+  void append(int rank, int count = 1);
+
+  const std::vector<Message> &messages() const { return messages_; }
+  int size() const { return static_cast<int>(values_.size()); }
+  double &operator[](std::size_t k) { return values_[k]; }
+  const double &operator[](std::size_t k) const { return values_[k]; }
+
+  double message_bytes() const { return static_cast<double>(sizeof(double)) * values_.size(); }
+  double bytes() const { return static_cast<double>(sizeof(double)) * values_.capacity(); }
+
+ private:
+  std::vector<Message> messages_;
+  std::vector<double> values_;
+};
+
+class ValueExchange {
+ public:
+  // out and in must stay as they are until finish(); then in has what came
+  void start(MPI_Comm comm, int tag, const RankValues &out, RankValues &in);
+  void finish();
+
+ private:
+  std::vector<MPI_Request> requests_;
+};
+
+}    // namespace aleisph
+#endif
