@@ -27,14 +27,15 @@ namespace {
 
 constexpr char SHIFT[] = "aleisph_u";
 
-// rates of the density model, per U dt/d
-constexpr double RATE_ACCURATE = 0.3, RATE_PUBLISHED = 0.1;
+// rates of the density model, per U dt/d: with a free surface, where more flips particles of the
+// second layer between surface and fluid, and as published
+constexpr double RATE_SURFACE = 0.3, RATE_PUBLISHED = 0.1;
 constexpr double SMOOTHING = 1.5, MAX_SMOOTHING = 0.5;    // a share per step above 1/2 overshoots
 constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
 // off walls, in spacings per U dt/d, and per step
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
-constexpr double RATE_FICKIAN = 2.0;
+constexpr double RATE_FULL = 2.0;
 
 }    // namespace
 
@@ -111,10 +112,6 @@ void FixAleisphShift::parse(int narg, char **arg)
   }
   check_keywords(words);
   const bool accurate = params_.model == ShiftModel::DENSITY && !params_.published;
-  if (rate_ < 0.0) {
-    rate_ = accurate ? RATE_ACCURATE : RATE_PUBLISHED;
-    if (params_.model != ShiftModel::DENSITY) rate_ = RATE_FICKIAN;
-  }
   if (smoothing_ < 0.0) smoothing_ = accurate ? SMOOTHING : 0.0;
   if (filter_ < 0.0) filter_ = accurate ? FILTER : 0.0;
 }
@@ -164,6 +161,14 @@ void FixAleisphShift::final_integrate()
   shift();
 }
 
+double FixAleisphShift::rate() const
+{
+  if (rate_ >= 0.0) return rate_;
+  if (params_.model != ShiftModel::DENSITY) return RATE_FULL;
+  if (params_.published) return RATE_PUBLISHED;
+  return owner_->has_surface() ? RATE_SURFACE : RATE_FULL;
+}
+
 double FixAleisphShift::dt_over_d() const
 {
   return update->dt / owner_->spacing();
@@ -200,7 +205,7 @@ void FixAleisphShift::shift()
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const double scale = velocity_scale() * dt_over_d();
-  params_.coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate_ * scale;
+  params_.coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate() * scale;
   params_.smoothing = std::min(smoothing_ * scale, MAX_SMOOTHING);
   params_.wall_step = params_.wall_distance > 0.0 ? std::min(WALL_RATE * scale, WALL_STEP) : 0.0;
   params_.dt = update->dt;

@@ -47,11 +47,12 @@ class FixAleisphShift : public Fix, private AleisphAcceleration {
   void shift();
   double velocity_scale();
   double largest_speed() const;
+  double rate() const;
   double per_step(double rate) { return rate * velocity_scale() * dt_over_d(); }
   double dt_over_d() const;
 
   aleisph::ShiftParams params_;
-  double rate_, step_;           // C = rate U dt/d, or step if that is not negative
+  double rate_, step_;           // C = rate() U dt/d, or step; < 0: not given
   double smoothing_, filter_;    // rates, < 0: the variant's own
   double velocity_;              // U if given as a number
   std::string variable_;         // or its name
