@@ -52,14 +52,19 @@ file(WRITE ${PROJECT_BINARY_DIR}/test_environment.cmake "${lines}")
 set_property(DIRECTORY APPEND PROPERTY
              TEST_INCLUDE_FILES ${PROJECT_BINARY_DIR}/test_environment.cmake)
 
+# what the sanitizers are told about leaks
+function(aleisph_sanitizer_options target)
+  if(ALEISPH_SANITIZE)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/sanitizer_options.cpp)
+  endif()
+endfunction()
+
 function(aleisph_gtest target)
   cmake_parse_arguments(arg "" "LABEL" "" ${ARGN})
   target_compile_definitions(${target} PRIVATE
     ALEISPH_TEST_DATA="${PROJECT_SOURCE_DIR}/tests" ALEISPH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  if(ALEISPH_SANITIZE)
-    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/sanitizer_options.cpp)
-  endif()
+  aleisph_sanitizer_options(${target})
   # the names are asked for when the tests start: a program that cannot run does not stop the build
   gtest_discover_tests(${target} TEST_PREFIX "${arg_LABEL}." DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
