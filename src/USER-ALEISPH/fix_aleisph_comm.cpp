@@ -40,9 +40,10 @@ int FixAleisph::pack_forward_comm(int n, int *list, double *buf, int, int *)
 // What a rank sends to itself is unpacked from where it was packed: no message
 void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
 {
+  if (n == 0) return;    // there may be no buffer
   const std::size_t bytes = sizeof(double) * n * halo_ncomp_;
   std::memcpy(halo_field_ + static_cast<std::size_t>(halo_ncomp_) * first, buf, bytes);
-  if (n == 0 || buf == packed_) return;
+  if (buf == packed_) return;
   count_messages(1, static_cast<double>(bytes));
 }
 
