@@ -43,20 +43,4 @@ with_plugin=$(results "$ALEISPH_LMP")
 unset LAMMPS_PLUGIN_PATH
 in_tree=$(results "$build/lmp")
 printf 'plugin:\n%s\nin-tree:\n%s\n' "$with_plugin" "$in_tree"
-
-# same_results ONE OTHER: the same words, and numbers that agree to 1e-3. The two builds have
-# different compiler options, and the error of the pressure, 1e-11, is all rounding.
-same_results() {
-  [ -n "$1" ] && paste -d ' ' <(tr ' ' '\n' <<<"$1") <(tr ' ' '\n' <<<"$2") | awk -F '[ =]' '
-    $1 == $2 && NF == 2 { next }
-    BEGIN { number = "^-?[0-9.]+(e[-+]?[0-9]+)?$" }
-    NF != 4 || $1 != $3 { wrong = 1 }
-    $2 == $4 { next }
-    $2 !~ number || $4 !~ number { wrong = 1 }
-    { difference = $2 - $4; size = $2 + 0 }
-    difference < 0 { difference = -difference }
-    size < 0 { size = -size }
-    !(difference <= 1e-3 * size) { wrong = 1 }
-    END { exit wrong }'
-}
-same_results "$with_plugin" "$in_tree"
+[ -n "$in_tree" ] && [ "$in_tree" = "$with_plugin" ]

@@ -7,8 +7,8 @@
 # LAMMPS is the top of a source tree that belongs to you; it is changed in two places, and running
 # this again changes nothing more:
 #   src/USER-ALEISPH       link to (with --copy: copy of) the package
-#   cmake/CMakeLists.txt   the package in STANDARD_PACKAGES, and where its sources find Eigen
-#                          and, where there is one, hypre
+#   cmake/CMakeLists.txt   the package in STANDARD_PACKAGES, how its sources are compiled, and
+#                          where they find Eigen and, where there is one, hypre
 # Then build LAMMPS as usual with  cmake -DPKG_USER-ALEISPH=on <your options> LAMMPS/cmake
 set -euo pipefail
 
@@ -50,15 +50,24 @@ fi
 if ! grep -q 'PKG_USER-ALEISPH' "$lists"; then
   cat >>"$lists" <<'CMAKE'
 
+# All of it for the sources of the package only: those of LAMMPS are compiled as without it. The
+# options are those of the package's own CMakeLists.txt, which has the reasons.
 if(PKG_USER-ALEISPH)
+  option(ALEISPH_NATIVE "USER-ALEISPH for the processor at hand" ON)
+  file(GLOB aleisph_sources ${LAMMPS_SOURCE_DIR}/USER-ALEISPH/*.cpp)
   find_package(Eigen3 REQUIRED NO_MODULE)
-  target_include_directories(lammps SYSTEM PRIVATE
+  set_property(SOURCE ${aleisph_sources} APPEND PROPERTY INCLUDE_DIRECTORIES
     $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+  set_property(SOURCE ${aleisph_sources} APPEND PROPERTY COMPILE_OPTIONS -Wno-psabi
+    -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  if(ALEISPH_NATIVE)
+    set_property(SOURCE ${aleisph_sources} APPEND PROPERTY COMPILE_OPTIONS -march=native)
+  endif()
   find_path(HYPRE_INCLUDE_DIR HYPRE_parcsr_ls.h PATH_SUFFIXES hypre)
   find_library(HYPRE_LIBRARY HYPRE)
   if(BUILD_MPI AND HYPRE_INCLUDE_DIR AND HYPRE_LIBRARY)    # multigrid
-    target_compile_definitions(lammps PRIVATE ALEISPH_HYPRE)
-    target_include_directories(lammps SYSTEM PRIVATE ${HYPRE_INCLUDE_DIR})
+    set_property(SOURCE ${aleisph_sources} APPEND PROPERTY COMPILE_DEFINITIONS ALEISPH_HYPRE)
+    set_property(SOURCE ${aleisph_sources} APPEND PROPERTY INCLUDE_DIRECTORIES ${HYPRE_INCLUDE_DIR})
     target_link_libraries(lammps PRIVATE ${HYPRE_LIBRARY})
   endif()
 endif()
