@@ -163,13 +163,13 @@ ALEISPH_LAMMPS_TARBALL to its archive, then run this again" \
   printf '%s\n' "$dir/$tag.tar.gz"
 }
 
-# Only what a build and the comparisons read: a fifth of the archive. Some archives have one
+# Only what a build, its users and the comparisons read: a fifth of the archive. Some archives have one
 # directory on top, lammps-..., some have none.
 unpack_lammps() {
   local archive=$1 dest=$2 first top='' part members=()
   first=$(tar -tf "$archive" 2>/dev/null | head -n 1) || true
   case $first in lammps*/*) top=${first%%/*}/ ;; esac
-  for part in src cmake lib LICENSE README examples/rheo; do members+=("$top$part"); done
+  for part in src cmake lib python tools/python LICENSE README examples/rheo; do members+=("$top$part"); done
   rm -rf "$dest.part" &&
     mkdir -p "$dest.part" &&
     tar -x -f "$archive" -C "$dest.part" ${top:+--strip-components=1} "${members[@]}" &&
