@@ -105,33 +105,33 @@ double ComputeAleisphAtom::surface_kind(int i) const
 // zero on particles that are not fluid
 std::vector<double> ComputeAleisphAtom::density() const
 {
-  const auto &disc = owner_->discretization();
+  const auto &cloud = owner_->cloud();
   std::vector<double> rho(atom->nlocal, 0.0);
-  aleisph::density_deviation(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
-                             owner_->normal(), disc.volume(), disc.spacing(), true, rho.data());
-  for (const int i : disc.fluid()) rho[i] += 1.0;
+  aleisph::density_deviation(cloud.stencil(), cloud.kernel(), cloud.fluid(), owner_->role(),
+                             owner_->normal(), cloud.volume(), cloud.spacing(), true, rho.data());
+  for (const int i : cloud.fluid()) rho[i] += 1.0;
   return rho;
 }
 
 std::vector<double> ComputeAleisphAtom::divergence() const
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
   owner_->forward(v, 3);
   std::vector<double> div(atom->nlocal, 0.0);
-  aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), v, owner_->role(),
+  aleisph::divergence(cloud.stencil(), cloud.gradient(), cloud.fluid(), v, owner_->role(),
                       owner_->normal(), div.data());
   return div;
 }
 
 double ComputeAleisphAtom::value(Field field, int i)
 {
-  auto &disc = owner_->discretization();
-  const auto &s = disc.stencil();
+  auto &cloud = owner_->cloud();
+  const auto &s = cloud.stencil();
   switch (field) {
     case Field::P: return owner_->pressure()[i];
-    case Field::LAMBDA: return disc.gradient().lambda(i);
-    case Field::COND: return disc.laplacian_rows().condition(i);
+    case Field::LAMBDA: return cloud.gradient().lambda(i);
+    case Field::COND: return cloud.laplacian_rows().condition(i);
     case Field::NX: return owner_->normal()[3 * i];
     case Field::NY: return owner_->normal()[3 * i + 1];
     case Field::NZ: return owner_->normal()[3 * i + 2];

@@ -92,7 +92,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
 
   const aleisph::Kernel kernel(params_.kernel, domain->dimension, params_.h_over_d * spacing_);
-  discretization_ = std::make_unique<aleisph::Discretization>(kernel, spacing_, timers_);
+  cloud_ = std::make_unique<aleisph::Cloud>(kernel, spacing_, timers_);
   inner_product_ = std::make_unique<MpiInnerProduct>(world, timers_, traffic_);
   halo_ = std::make_unique<aleisph::HaloExchange>(world);
 }
@@ -214,7 +214,7 @@ void FixAleisph::add_velocity_condition(AleisphVelocityCondition *condition)
 void FixAleisph::set_surface(const AleisphSurface &surface)
 {
   surface_ = surface;
-  discretization_->set_floor(surface.floor);
+  cloud_->set_floor(surface.floor);
 }
 
 aleisph::StepBounds FixAleisph::time_step_limits() const
@@ -226,7 +226,7 @@ aleisph::StepBounds FixAleisph::time_step_limits() const
 
 double FixAleisph::particle_mass() const
 {
-  return fluid_.rho0 * discretization_->volume();
+  return fluid_.rho0 * cloud_->volume();
 }
 
 int FixAleisph::nall() const
@@ -255,7 +255,7 @@ double *FixAleisph::previous_wall_velocity()
 
 bool FixAleisph::ready() const
 {
-  return !any(version_ == 0 || discretization_->stencil().rows() != atom->nlocal);
+  return !any(version_ == 0 || cloud_->stencil().rows() != atom->nlocal);
 }
 
 double *FixAleisph::velocity()
@@ -283,9 +283,8 @@ void FixAleisph::init()
   check_companions();
   check_fix_order();
   reach_ = 0.0;
-  require_reach(discretization_->kernel().support());
-  neighbor->add_request(this, NeighConst::REQ_FULL)
-      ->set_cutoff(discretization_->kernel().support());
+  require_reach(cloud_->kernel().support());
+  neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(cloud_->kernel().support());
   timers_.reset();
   traffic_ = AleisphTraffic();
 }
@@ -395,10 +394,10 @@ void FixAleisph::rebuild()
   refuse_roles(found);
   locate_walls(found[3]);
   mark_dry_walls();
-  discretization_->update(atom->nlocal, atom->x,
-                          {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()},
-                          role_.data(), dry_rule());
-  if (const long coincident = sum(discretization_->stencil().coincident()))
+  cloud_->update(atom->nlocal, atom->x,
+                 {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()}, role_.data(),
+                 dry_rule());
+  if (const long coincident = sum(cloud_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
   if (moving_ || n == 0)
     x_built_.clear();
@@ -506,15 +505,15 @@ void FixAleisph::restart(char *buf)
 
 double FixAleisph::compute_vector(int n)
 {
-  const auto &disc = *discretization_;
-  const auto &counts = disc.counts();
+  const auto &cloud = *cloud_;
+  const auto &counts = cloud.counts();
   if (!ready()) return 0.0;
   switch (n) {
-    case 0: return sum(disc.fluid().size());
-    case 1: return sum(disc.wall().size());
+    case 0: return sum(cloud.fluid().size());
+    case 1: return sum(cloud.wall().size());
     case 2: return sum(tally_.dirichlet_rows);
-    case 3: return sum(disc.buffer().size());
-    case 4: return sum(discretization_->laplacian_rows().morris_count().total());
+    case 3: return sum(cloud.buffer().size());
+    case 4: return sum(cloud_->laplacian_rows().morris_count().total());
     case 5: return sum(tally_.singular_rows);
     case 6: return counts.stencil;
     case 7: return counts.gradient;
@@ -522,14 +521,14 @@ double FixAleisph::compute_vector(int n)
     case 9: return tally_.precond_builds;
     case 10: return counts.laplacian;
     case 11: {
-      const auto &gradient = discretization_->gradient();
+      const auto &gradient = cloud_->gradient();
       double smallest = 1.0, all;
-      for (const int i : disc.fluid()) smallest = std::min(smallest, gradient.lambda(i));
+      for (const int i : cloud.fluid()) smallest = std::min(smallest, gradient.lambda(i));
       MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
       return all;
     }
     default:
-      return static_cast<double>(sum(disc.stencil().pairs())) / std::max(1L, sum(atom->nlocal));
+      return static_cast<double>(sum(cloud.stencil().pairs())) / std::max(1L, sum(atom->nlocal));
   }
 }
 
@@ -558,16 +557,14 @@ void FixAleisph::report_timing()
     if (seconds[k] > 0.0)
       text += fmt::format("  {:<15}{:>10.4g} s {:>6.1f} %\n", to_string(static_cast<Part>(k)),
                           seconds[k], total > 0.0 ? 100.0 * seconds[k] / total : 0.0);
-  const auto &counts = discretization_->counts();
+  const auto &counts = cloud_->counts();
   text += fmt::format("ALEISPH builds: stencil {}, gradient {}, Laplacian {}, PPE matrix {}, "
                       "preconditioner {}, viscous matrix {}, viscous passes {}, wall passes {}\n",
                       counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
   text += report_traffic();
-  const long morris = counts.laplacian
-      ? sum(discretization_->laplacian_rows().morris_count().total())
-      : 0;
+  const long morris = counts.laplacian ? sum(cloud_->laplacian_rows().morris_count().total()) : 0;
   const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
   if (morris || singular || pivots)
     text += fmt::format("ALEISPH guards in the last step: {} rows of Morris, {} singular rows, {} "
@@ -578,6 +575,6 @@ void FixAleisph::report_timing()
 
 double FixAleisph::memory_usage()
 {
-  return discretization_->bytes() + halo_->bytes() +
+  return cloud_->bytes() + halo_->bytes() +
       sizeof(double) * (normal_.size() + shape_.size() + vstar_.size() + x_built_.size());
 }

@@ -17,7 +17,7 @@ FixStyle(aleisph,FixAleisph);
 #ifndef LMP_FIX_ALEISPH_H
 #define LMP_FIX_ALEISPH_H
 
-#include "aleisph_discretization.h"
+#include "aleisph_cloud.h"
 #include "aleisph_fluid.h"
 #include "aleisph_krylov.h"
 #include "aleisph_mpi_halo.h"
@@ -184,7 +184,7 @@ class FixAleisph : public Fix {
   double particle_mass() const;
 
   // -- valid from pre_force on, until particles move or migrate
-  aleisph::Discretization &discretization() { return *discretization_; }
+  aleisph::Cloud &cloud() { return *cloud_; }
   bigint version() const { return version_; }    // changes with the positions
   bool ready() const;    // there is a stencil, and it is that of the present particles
   const aleisph::Role *role() const { return role_.data(); }    // owned and ghost
@@ -298,7 +298,7 @@ class FixAleisph : public Fix {
   bigint version_;
 
   aleisph::Timers timers_;
-  std::unique_ptr<aleisph::Discretization> discretization_;
+  std::unique_ptr<aleisph::Cloud> cloud_;
   std::unique_ptr<aleisph::InnerProduct> inner_product_;
   std::vector<aleisph::Role> role_;
   std::vector<double> normal_, shape_, previous_normal_, vstar_, x_built_;

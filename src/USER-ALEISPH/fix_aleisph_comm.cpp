@@ -92,7 +92,7 @@ void FixAleisph::count_messages(int messages, double bytes)
 const aleisph::RowSplit &FixAleisph::row_split()
 {
   if (split_version_ == version_) return split_;
-  const auto &stencil = discretization_->stencil();
+  const auto &stencil = cloud_->stencil();
   split_ = aleisph::split_rows(stencil.rows(), stencil.ptr(), stencil.col(), halo_->remote());
   split_version_ = version_;
   return split_;

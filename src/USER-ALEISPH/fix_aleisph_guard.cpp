@@ -135,7 +135,7 @@ double FixAleisphGuard::gradient_energy(const std::vector<double> &before, const
   const double *vstar = owner_->vstar();
   const double factor = update->dt / owner_->rho0();
   double sum = 0.0;
-  for (const int i : owner_->discretization().fluid())
+  for (const int i : owner_->cloud().fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       const double now = vstar[k] - factor * grad[k], then = vstar[k] - factor * before[k];
       sum += now * now - then * then;
@@ -154,10 +154,10 @@ void FixAleisphGuard::limit_pressure(double *p, double *grad)
   double energy = 0.0;
   if (owner_->sum(low)) {
     owner_->forward(p, 1);
-    auto &disc = owner_->discretization();
+    auto &cloud = owner_->cloud();
     work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), p, grad);
-    for (const int i : disc.fluid())
+    aleisph::gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), p, grad);
+    for (const int i : cloud.fluid())
       if (owner_->role()[i] & aleisph::BALLISTIC) std::fill_n(grad + 3 * i, 3, 0.0);
     energy = gradient_energy(work_, grad);
   }
@@ -166,22 +166,22 @@ void FixAleisphGuard::limit_pressure(double *p, double *grad)
 
 void FixAleisphGuard::replace_gradients(const double *p, double *grad)
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
-  const int rows = aleisph::symmetric_gradient(disc.stencil(), disc.gradient(), free_rows(),
-                                               disc.volume(), symmetric_, p, grad);
+  const int rows = aleisph::symmetric_gradient(cloud.stencil(), cloud.gradient(), free_rows(),
+                                               cloud.volume(), symmetric_, p, grad);
   record(SYMMETRIC, rows, gradient_energy(work_, grad));
 }
 
 void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   complete_inverses();
   work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
   const int rows = aleisph::correct_self_term(
-      disc.stencil(), disc.gradient(), disc.fluid(), owner_->role(), owner_->normal(),
-      inverse_.data(), disc.volume(), disc.spacing(), aleisph::SelfTermParams(), p, grad,
-      &disc.laplacian_rows());
+      cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->role(), owner_->normal(),
+      inverse_.data(), cloud.volume(), cloud.spacing(), aleisph::SelfTermParams(), p, grad,
+      &cloud.laplacian_rows());
   record(SELFTERM, rows, gradient_energy(work_, grad));
 }
 
@@ -189,7 +189,7 @@ void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
 aleisph::Rows FixAleisphGuard::free_rows() const
 {
   aleisph::Rows rows;
-  for (const int i : owner_->discretization().fluid())
+  for (const int i : owner_->cloud().fluid())
     if (!(owner_->role()[i] & aleisph::BALLISTIC)) rows.push_back(i);
   return rows;
 }
@@ -197,7 +197,7 @@ aleisph::Rows FixAleisphGuard::free_rows() const
 // L of ghosts, too
 void FixAleisphGuard::complete_inverses()
 {
-  const double *owned = owner_->discretization().gradient().inverse();
+  const double *owned = owner_->cloud().gradient().inverse();
   inverse_.assign(6 * static_cast<std::size_t>(owner_->nall()), 0.0);
   std::copy(owned, owned + 6 * static_cast<std::size_t>(atom->nlocal), inverse_.begin());
   owner_->forward(inverse_.data(), 6);
@@ -212,7 +212,7 @@ double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
 {
   double *v = owner_->velocity();
   double sum = 0.0;
-  for (const int i : owner_->discretization().fluid())
+  for (const int i : owner_->cloud().fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       sum += dv[k] * (2.0 * v[k] + dv[k]);
       v[k] += dv[k];
@@ -222,23 +222,23 @@ double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
 
 void FixAleisphGuard::collide()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
   owner_->forward(v, 3);
-  const double reach = collision_ * disc.spacing();
+  const double reach = collision_ * cloud.spacing();
   counts_.assign(owner_->nall(), 0.0);
-  aleisph::count_approaching(disc.stencil(), disc.fluid(), owner_->role(), v, reach,
+  aleisph::count_approaching(cloud.stencil(), cloud.fluid(), owner_->role(), v, reach,
                              counts_.data());
   owner_->forward(counts_.data(), 1);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  const int events = aleisph::collide(disc.stencil(), disc.fluid(), owner_->role(), v,
+  const int events = aleisph::collide(cloud.stencil(), cloud.fluid(), owner_->role(), v,
                                       counts_.data(), reach, work_.data());
   record(COLLISION, events, change_velocity(work_));
 }
 
 void FixAleisphGuard::cap()
 {
-  const auto &fluid = owner_->discretization().fluid();
+  const auto &fluid = owner_->cloud().fluid();
   double *v = owner_->velocity();
   const auto energy = [&]() {
     double sum = 0.0;
@@ -253,14 +253,14 @@ void FixAleisphGuard::cap()
 
 void FixAleisphGuard::hold_off_walls()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
   double *u = owner_->custom(SHIFT);
   owner_->forward(v, 3);
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
   std::vector<double> w(n, 0.0), dw(n, 0.0), convex(owner_->nall(), 0.0);
   work_.assign(n, 0.0);
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       if (!shifted_) u[k] = 0.0;    // nobody else sets it anew
       w[k] = v[k] + u[k];
@@ -270,11 +270,11 @@ void FixAleisphGuard::hold_off_walls()
     if (owner_->role()[j] & aleisph::WALL) convex[j] = shape[j] > 0.0 && shape[j] < CONVEX;
 
   const int events = aleisph::hold_off_walls(
-      disc.stencil(), disc.fluid(), owner_->role(), owner_->normal(), convex.data(), v, w.data(),
-      disc.spacing(), walls_ * disc.spacing(), update->dt, work_.data(), dw.data());
+      cloud.stencil(), cloud.fluid(), owner_->role(), owner_->normal(), convex.data(), v, w.data(),
+      cloud.spacing(), walls_ * cloud.spacing(), update->dt, work_.data(), dw.data());
   // the work of body forces along the displacement is lost or gained
   double energy = change_velocity(work_);
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int a = 0; a < domain->dimension; a++) {
       u[3 * i + a] += dw[3 * i + a] - work_[3 * i + a];
       energy -= atom->f[i][a] * dw[3 * i + a] * update->dt;

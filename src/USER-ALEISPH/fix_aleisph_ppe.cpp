@@ -181,16 +181,16 @@ double FixAleisphPPE::rounding_level() const
 
 void FixAleisphPPE::assemble()
 {
-  auto &disc = owner_->discretization();
-  const auto &gradient = disc.gradient();
+  auto &cloud = owner_->cloud();
+  const auto &gradient = cloud.gradient();
   // with viscosity the weights serve the predictor, too
   std::vector<double> laplacian = matrix_.release();
-  disc.laplacian_weights(owner_->viscosity() > 0.0, laplacian);
+  cloud.laplacian_weights(owner_->viscosity() > 0.0, laplacian);
   aleisph::PpeRows rows;
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
-    rows = aleisph::assemble_ppe(disc.stencil(), gradient, std::move(laplacian), owner_->role(),
-                                 owner_->normal(), disc.spacing(), matrix_, owner_->row_types(),
+    rows = aleisph::assemble_ppe(cloud.stencil(), gradient, std::move(laplacian), owner_->role(),
+                                 owner_->normal(), cloud.spacing(), matrix_, owner_->row_types(),
                                  options());
   }
   closed_ = !owner_->any(rows.dirichlet + rows.singular + rows.surface > 0);
@@ -210,21 +210,21 @@ aleisph::PpeOptions FixAleisphPPE::options() const
   aleisph::PpeOptions options;
   if (!owner_->has_surface()) return options;
   options.surface_offset = owner_->surface().offset * owner_->spacing();
-  const auto &disc = owner_->discretization();
+  const auto &cloud = owner_->cloud();
   options.min_wall_lambda = MIN_WALL_LAMBDA *
-      aleisph::lattice_corner_lambda(disc.kernel(), disc.spacing());
+      aleisph::lattice_corner_lambda(cloud.kernel(), cloud.spacing());
   options.min_wall_fluid = domain->dimension == 2 ? MIN_WALL_FLUID_2D : MIN_WALL_FLUID_3D;
   return options;
 }
 
 void FixAleisphPPE::right_hand_side()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   owner_->complete_velocity(owner_->vstar());
   aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
   rhs_.resize(atom->nlocal);
   div_.resize(atom->nlocal);
-  aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), owner_->vstar(),
+  aleisph::divergence(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->vstar(),
                       owner_->role(), owner_->normal(), div_.data());
   // before the first pressure v* holds an acceleration, relative to the wall's
   std::vector<double> at_rest;
@@ -234,7 +234,7 @@ void FixAleisphPPE::right_hand_side()
     vwall = at_rest.data();
   }
   aleisph::ppe_rhs(owner_->row_types(), owner_->normal(), owner_->vstar(), vwall, div_.data(),
-                   owner_->pressure(), disc.spacing(), owner_->rho0() / update->dt, rhs_.data(),
+                   owner_->pressure(), cloud.spacing(), owner_->rho0() / update->dt, rhs_.data(),
                    owner_->surface().pressure,
                    owner_->tension() ? owner_->tension()->surface_pressure() : nullptr);
 }
@@ -257,19 +257,19 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
 
 void FixAleisphPPE::correct_velocity()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
     const double *vstar = owner_->vstar();
     const double factor = update->dt / owner_->rho0();
     grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->pressure(),
+    aleisph::gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->pressure(),
                       grad_.data());
     if (owner_->has_surface()) release_ballistic();
     if (auto *guard = owner_->pressure_guard())
       guard->guard_pressure(owner_->pressure(), grad_.data());
-    for (const int i : disc.fluid())
+    for (const int i : cloud.fluid())
       for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
   }
   if (auto *guard = owner_->velocity_guard()) guard->guard_velocity(v);
@@ -278,7 +278,7 @@ void FixAleisphPPE::correct_velocity()
 
 void FixAleisphPPE::release_ballistic()
 {
-  for (const int i : owner_->discretization().fluid())
+  for (const int i : owner_->cloud().fluid())
     if (owner_->role()[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
 }
 
@@ -293,15 +293,15 @@ double FixAleisphPPE::residual_bound() const
 
 double FixAleisphPPE::max_divergence()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
   owner_->forward(v, 3);
   div_.resize(atom->nlocal);
-  aleisph::divergence(disc.stencil(), disc.gradient(), disc.fluid(), v, owner_->role(),
+  aleisph::divergence(cloud.stencil(), cloud.gradient(), cloud.fluid(), v, owner_->role(),
                       owner_->normal(), div_.data());
   double mine = 0.0, all;
   const auto &types = owner_->row_types();
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     if (types.empty() || types[i] == aleisph::RowType::FLUID)
       mine = std::max(mine, std::fabs(div_[i]));
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);

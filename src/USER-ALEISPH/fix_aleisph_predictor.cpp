@@ -177,8 +177,8 @@ void FixAleisphPredictor::init()
   viscous_version_ = -1;
   check_shift();
   check_other_integrators();
-  const auto &disc = owner_->discretization();
-  viscous_limit_ = aleisph::viscous_limit(disc.kernel(), disc.spacing(), nu_, params_.ab2);
+  const auto &cloud = owner_->cloud();
+  viscous_limit_ = aleisph::viscous_limit(cloud.kernel(), cloud.spacing(), nu_, params_.ab2);
   owner_->add_time_step_limit(this);
 }
 
@@ -234,17 +234,17 @@ void FixAleisphPredictor::setup(int)
   owner_->forward(v, 3);
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   body_acceleration(a_);
-  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), v, v, owner_->role(),
+  aleisph::convection(cloud.stencil(), cloud.gradient(), cloud.fluid(), v, v, owner_->role(),
                       owner_->normal(), work_.data());
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
   add_other_terms(a_);
   double *vstar = owner_->vstar();
-  for (const auto *rows : {&disc.fluid(), &disc.wall()})
+  for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
     for (const int i : *rows)
       for (int a = 0; a < 3; a++) vstar[3 * i + a] = update->dt * a_[3 * i + a];
 }
@@ -255,7 +255,7 @@ void FixAleisphPredictor::initial_integrate(int)
   const double *w = prescribed() ? owner_->custom(TRANSPORT) : owner_->velocity();
   const double *shift = shifted() ? owner_->custom(SHIFT) : nullptr;
   const int dim = domain->dimension;
-  for (const int i : owner_->discretization().fluid())
+  for (const int i : owner_->cloud().fluid())
     for (int a = 0; a < dim; a++)
       x[i][a] += update->dt * (w[3 * i + a] + (shift ? shift[3 * i + a] : 0.0));
 }
@@ -304,9 +304,9 @@ void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
   a.assign(n, 0.0);
   work_.resize(n);
-  const auto &disc = owner_->discretization();
+  const auto &cloud = owner_->cloud();
   const double per_mass = 1.0 / owner_->particle_mass();
-  for (const auto *rows : {&disc.fluid(), &disc.wall()})
+  for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
     for (const int i : *rows)
       for (int c = 0; c < domain->dimension; c++) a[3 * i + c] = per_mass * atom->f[i][c];
 }
@@ -314,7 +314,7 @@ void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
 void FixAleisphPredictor::add_convection(std::vector<double> &a)
 {
   if (params_.frame == Frame::LAGRANGIAN) return;
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   const double *v = owner_->velocity();
   const double *c = v;
   if (params_.frame == Frame::ALE) {
@@ -323,19 +323,19 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
     for (std::size_t k = 0; k < a.size(); k++) relative_[k] = shifted() ? -w[k] : v[k] - w[k];
     c = relative_.data();
   }
-  aleisph::convection(disc.stencil(), disc.gradient(), disc.fluid(), c, v, owner_->role(),
+  aleisph::convection(cloud.stencil(), cloud.gradient(), cloud.fluid(), c, v, owner_->role(),
                       owner_->normal(), work_.data());
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
 }
 
 void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 {
   if (nu_ == 0.0 || share == 0.0) return;
-  auto &disc = owner_->discretization();
-  aleisph::laplacian(disc.stencil(), disc.laplacian(), disc.fluid(), owner_->velocity(),
+  auto &cloud = owner_->cloud();
+  aleisph::laplacian(cloud.stencil(), cloud.laplacian(), cloud.fluid(), owner_->velocity(),
                      owner_->role(), work_.data());
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share * nu_ * work_[k];
   owner_->tally().viscous_passes++;
 }
@@ -349,16 +349,17 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 {
   if (nu_ == 0.0) return;
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   aleisph::Rows rows;
-  for (const int i : disc.wall())
+  for (const int i : cloud.wall())
     if (owner_->role()[i] & aleisph::CURLCURL) rows.push_back(i);
   if (!owner_->any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(owner_->nall()), 0.0);
-  aleisph::curl(disc.stencil(), disc.gradient(), disc.all(), owner_->velocity(), vorticity.data());
+  aleisph::curl(cloud.stencil(), cloud.gradient(), cloud.all(), owner_->velocity(),
+                vorticity.data());
   owner_->forward(vorticity.data(), 3);
-  aleisph::curl(disc.stencil(), disc.gradient(), rows, vorticity.data(), work_.data());
+  aleisph::curl(cloud.stencil(), cloud.gradient(), rows, vorticity.data(), work_.data());
   for (const int i : rows)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
 }
@@ -385,7 +386,7 @@ void FixAleisphPredictor::extrapolate(std::vector<double> &a)
 void FixAleisphPredictor::predict_explicit()
 {
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
-  const auto &disc = owner_->discretization();
+  const auto &cloud = owner_->cloud();
   body_acceleration(a_);
   add_convection(a_);
   add_viscosity(1.0, a_);
@@ -394,7 +395,7 @@ void FixAleisphPredictor::predict_explicit()
   extrapolate(a_);
   const double *v = owner_->velocity();
   double *vstar = owner_->vstar();
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
   predict_walls();
 }
@@ -407,7 +408,7 @@ void FixAleisphPredictor::predict_explicit()
 
 void FixAleisphPredictor::predict_walls()
 {
-  const auto &wall = owner_->discretization().wall();
+  const auto &wall = owner_->cloud().wall();
   const double *before = owner_->previous_wall_velocity();
   double *vstar = owner_->vstar();
   for (const int i : wall)
@@ -424,7 +425,7 @@ void FixAleisphPredictor::predict_walls()
 void FixAleisphPredictor::predict_implicit()
 {
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   const double dt = update->dt;
   body_acceleration(a_);
   add_convection(a_);
@@ -434,7 +435,7 @@ void FixAleisphPredictor::predict_implicit()
 
   owner_->forward(owner_->pressure(), 1);
   grad_p_.assign(a_.size(), 0.0);
-  aleisph::gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->pressure(),
+  aleisph::gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->pressure(),
                     grad_p_.data());
   const double *v = owner_->velocity();
   double *vstar = owner_->vstar();
@@ -442,36 +443,36 @@ void FixAleisphPredictor::predict_implicit()
 
   add_viscosity(1.0 - params_.theta, a_);
   std::vector<double> &rhs = a_;
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++)
       rhs[k] = v[k] + dt * (a_[k] - grad_p_[k] / owner_->rho0());
-  for (const int i : disc.wall())
+  for (const int i : cloud.wall())
     for (int k = 3 * i; k < 3 * i + 3; k++) rhs[k] = v[k];
 
   if (viscous_version_ != owner_->version() || viscous_dt_ != dt) assemble_viscous();
   solve_viscous(rhs);
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = rhs[k] + dt / owner_->rho0() * grad_p_[k];
 }
 
 // rows: fluid 1 - theta dt nu lap; wall and other particles v; buffer v - v_source
 void FixAleisphPredictor::assemble_viscous()
 {
-  auto &disc = owner_->discretization();
-  const auto &s = disc.stencil();
-  const double *weight = disc.laplacian().a();
+  auto &cloud = owner_->cloud();
+  const auto &s = cloud.stencil();
+  const double *weight = cloud.laplacian().a();
   const double share = params_.theta * update->dt * nu_;
   const aleisph::Role *role = owner_->role();
 
   viscous_.reset(atom->nlocal, s.ptr(), s.col());
   for (int i = 0; i < atom->nlocal; i++) viscous_.diag(i) = 1.0;
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = s.begin(i); k < s.end(i); k++) {
       if (role[s.col()[k]] & aleisph::SLIP) continue;
       viscous_.diag(i) -= share * weight[k];
       viscous_.val(k) = share * weight[k];
     }
-  for (const int i : disc.buffer())
+  for (const int i : cloud.buffer())
     for (const auto *condition : owner_->velocity_conditions()) {
       const int *const end = s.col() + s.end(i);
       const int *const place = std::find(s.col() + s.begin(i), end, condition->source(i));
@@ -566,25 +567,25 @@ double FixAleisphPredictor::largest_norm(const aleisph::Rows &rows, const double
 // of fluid, particles and walls: a wall that starts to move meets fluid at rest
 double FixAleisphPredictor::largest_speed() const
 {
-  const auto &disc = owner_->discretization();
+  const auto &cloud = owner_->cloud();
   const double *v = owner_->velocity();
-  double speed = std::max(largest_norm(disc.fluid(), v), largest_norm(disc.wall(), v));
-  if (prescribed()) speed = std::max(speed, largest_norm(disc.fluid(), owner_->custom(TRANSPORT)));
-  if (shifted()) speed = std::max(speed, largest_norm(disc.fluid(), v, owner_->custom(SHIFT)));
+  double speed = std::max(largest_norm(cloud.fluid(), v), largest_norm(cloud.wall(), v));
+  if (prescribed()) speed = std::max(speed, largest_norm(cloud.fluid(), owner_->custom(TRANSPORT)));
+  if (shifted()) speed = std::max(speed, largest_norm(cloud.fluid(), v, owner_->custom(SHIFT)));
   return speed;
 }
 
 void FixAleisphPredictor::time_step_limits(aleisph::StepBounds &limits) const
 {
-  const auto &disc = owner_->discretization();
-  const double d = disc.spacing();
+  const auto &cloud = owner_->cloud();
+  const double d = cloud.spacing();
   const double *f = atom->nmax ? &atom->f[0][0] : nullptr;
-  const double acceleration = largest_norm(disc.fluid(), f) / owner_->particle_mass();
+  const double acceleration = largest_norm(cloud.fluid(), f) / owner_->particle_mass();
   limits.lower(StepBound::CFL, aleisph::cfl_limit(d, largest_speed()));
   limits.lower(StepBound::FORCE, aleisph::force_limit(d, acceleration));
   if (params_.theta == 0.0) limits.lower(StepBound::VISCOUS, viscous_limit_);
   if (params_.frame == Frame::EULERIAN && !params_.ab2) {
-    const double speed = largest_norm(disc.fluid(), owner_->velocity());
+    const double speed = largest_norm(cloud.fluid(), owner_->velocity());
     limits.lower(StepBound::CONVECTION, aleisph::convection_limit(nu_, speed));
   }
 }
@@ -600,7 +601,7 @@ double FixAleisphPredictor::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/predictor");
   if (!owner_->ready()) return 0.0;
-  const auto &fluid = owner_->discretization().fluid();
+  const auto &fluid = owner_->cloud().fluid();
   switch (n) {
     case 0: return largest_norm(fluid, owner_->velocity()) * update->dt / owner_->spacing();
     case 1: return viscous_number();

@@ -126,12 +126,12 @@ void FixAleisphPressure::set_pressure()
 
 void FixAleisphPressure::find_sources()
 {
-  const auto &disc = owner_->discretization();
+  const auto &cloud = owner_->cloud();
   buffer_.clear();
   source_.clear();
   slot_.assign(atom->nlocal, -1);
   tagint bad = 0;
-  for (const int i : disc.buffer()) {
+  for (const int i : cloud.buffer()) {
     if (!(atom->mask[i] & buffer_bit_)) continue;
     const int j = nearest_source(i);
     if (j < 0) bad = atom->tag[i];
@@ -150,7 +150,7 @@ void FixAleisphPressure::find_sources()
 
 int FixAleisphPressure::nearest_source(int i) const
 {
-  const auto &s = owner_->discretization().stencil();
+  const auto &s = owner_->cloud().stencil();
   const double d = owner_->spacing();
   const aleisph::Role *role = owner_->role();
   double best = MAX_OFFSET * MAX_OFFSET * d * d;

@@ -178,7 +178,7 @@ double FixAleisphShift::largest_speed() const
 {
   const double *v = owner_->velocity();
   double mine = 0.0, all;
-  for (const int i : owner_->discretization().fluid())
+  for (const int i : owner_->cloud().fluid())
     mine = std::max(
         mine, v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2]);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -198,8 +198,8 @@ double FixAleisphShift::velocity_scale()
 
 void FixAleisphShift::shift()
 {
-  auto &disc = owner_->discretization();
-  const auto &s = disc.stencil();
+  auto &cloud = owner_->cloud();
+  const auto &s = cloud.stencil();
   double *v = owner_->velocity();
   owner_->forward(v, 3);
 
@@ -211,21 +211,21 @@ void FixAleisphShift::shift()
   params_.dt = update->dt;
   if (params_.model == ShiftModel::DENSITY) {
     eps_.assign(owner_->nall(), 0.0);
-    aleisph::density_deviation(s, disc.kernel(), disc.fluid(), owner_->role(), owner_->normal(),
-                               disc.volume(), disc.spacing(), params_.published, eps_.data(),
+    aleisph::density_deviation(s, cloud.kernel(), cloud.fluid(), owner_->role(), owner_->normal(),
+                               cloud.volume(), cloud.spacing(), params_.published, eps_.data(),
                                owner_->tension() ? owner_->tension()->curvature() : nullptr,
-                               disc.seen());
+                               cloud.seen());
     owner_->forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  const auto count = aleisph::compute_shift(s, disc.kernel(), disc.fluid(), owner_->role(),
-                                            owner_->normal(), eps_.data(), v, disc.volume(),
-                                            disc.spacing(), params_, dr_.data(), disc.seen());
+  const auto count = aleisph::compute_shift(s, cloud.kernel(), cloud.fluid(), owner_->role(),
+                                            owner_->normal(), eps_.data(), v, cloud.volume(),
+                                            cloud.spacing(), params_, dr_.data(), cloud.seen());
   limited_ = count.limited;
   limited_total_ += count.limited;
 
   double *u = owner_->custom(SHIFT);
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int a = 0; a < 3; a++) u[3 * i + a] = dr_[3 * i + a] / update->dt;
   owner_->require_finite(dr_.data(), "Fix aleisph/shift", "shift");
   started_ = true;
@@ -239,21 +239,22 @@ void FixAleisphShift::shift()
 void FixAleisphShift::add_acceleration(double *a)
 {
   const double share = std::min(per_step(filter_), MAX_FILTER);
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const std::size_t nall = owner_->nall();
   grad_v_.assign(9 * nall, 0.0);
-  const aleisph::SeenRoles neighbours(disc.stencil(), owner_->role(), disc.seen());
+  const aleisph::SeenRoles neighbours(cloud.stencil(), owner_->role(), cloud.seen());
   rows_.clear();
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     if ((owner_->role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
       rows_.push_back(i);
-  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), rows_, owner_->velocity(),
+  aleisph::velocity_gradient(cloud.stencil(), cloud.gradient(), rows_, owner_->velocity(),
                              owner_->role(), owner_->normal(), grad_v_.data());
   owner_->forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  aleisph::surface_velocity_filter(disc.stencil(), disc.kernel(), rows_, owner_->role(),
-                                   owner_->velocity(), grad_v_.data(), disc.volume(), work_.data());
+  aleisph::surface_velocity_filter(cloud.stencil(), cloud.kernel(), rows_, owner_->role(),
+                                   owner_->velocity(), grad_v_.data(), cloud.volume(),
+                                   work_.data());
   for (const int i : rows_)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
 }
@@ -283,7 +284,7 @@ double FixAleisphShift::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/shift");
   if (!owner_->ready()) return 0.0;
-  const auto &fluid = owner_->discretization().fluid();
+  const auto &fluid = owner_->cloud().fluid();
   double mine = 0.0, all;
   switch (n) {
     case 0: return coefficient_;

@@ -84,7 +84,7 @@ void FixAleisphSurface::init()
   surface_.offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
   params_.reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
   owner_->set_surface(surface_);
-  const double support = owner_->discretization().kernel().support() / owner_->spacing();
+  const double support = owner_->cloud().kernel().support() / owner_->spacing();
   params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
   version_ = -1;
 }
@@ -101,11 +101,11 @@ void FixAleisphSurface::pre_force(int)
 
 void FixAleisphSurface::detect()
 {
-  auto &disc = owner_->discretization();
-  const auto &gradient = disc.gradient();
+  auto &cloud = owner_->cloud();
+  const auto &gradient = cloud.gradient();
   aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
-  count_ = aleisph::detect_surface(disc.stencil(), gradient, disc.fluid(), disc.spacing(), params_,
-                                   owner_->surface_role(), owner_->normal());
+  count_ = aleisph::detect_surface(cloud.stencil(), gradient, cloud.fluid(), cloud.spacing(),
+                                   params_, owner_->surface_role(), owner_->normal());
   owner_->forward_roles();
   owner_->forward(owner_->normal(), 3);
   version_ = owner_->version();
@@ -120,7 +120,7 @@ double FixAleisphSurface::compute_vector(int n)
     case 0: return owner_->sum(count_.surface);
     case 1: return owner_->sum(count_.ballistic);
     case 2: return owner_->sum(owner_->dry_walls());
-    case 3: return owner_->sum(owner_->discretization().gradient().clamped());
+    case 3: return owner_->sum(owner_->cloud().gradient().clamped());
     default: return owner_->sum(owner_->tally().surface_rows);
   }
 }

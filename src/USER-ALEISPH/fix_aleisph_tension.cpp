@@ -253,11 +253,11 @@ void FixAleisphTension::rebuild()
 {
   const std::size_t nall = owner_->nall();
   if (walls_ && model_ == Model::TANGENT) {
-    auto &disc = owner_->discretization();
-    aleisph::bind_tips(disc.stencil(), disc.fluid(), disc.spacing(), owner_->surface_role());
+    auto &cloud = owner_->cloud();
+    aleisph::bind_tips(cloud.stencil(), cloud.fluid(), cloud.spacing(), owner_->surface_role());
     owner_->forward_roles();
   }
-  rows_ = aleisph::surface_rows(owner_->discretization().fluid(), owner_->role());
+  rows_ = aleisph::surface_rows(owner_->cloud().fluid(), owner_->role());
   count_ = {};
   N_.assign(3 * nall, 0.0);
   K_.assign(nall, 0.0);
@@ -278,11 +278,11 @@ void FixAleisphTension::find_contact_lines()
   ncontact_ = 0;
   contact_.clear();
   if (!walls_) return;
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   evaluate_angles();
   contact_.assign(4 * static_cast<std::size_t>(owner_->nall()), 0.0);
-  ncontact_ = aleisph::contact_normals(disc.stencil(), rows_, owner_->role(), owner_->normal(),
-                                       cosine_.data(), disc.spacing(), contact_params_,
+  ncontact_ = aleisph::contact_normals(cloud.stencil(), rows_, owner_->role(), owner_->normal(),
+                                       cosine_.data(), cloud.spacing(), contact_params_,
                                        contact_.data(), owner_->wall_shape());
   if (model_ == Model::PUBLISHED) return;
   owner_->forward(contact_.data(), 4);
@@ -291,24 +291,25 @@ void FixAleisphTension::find_contact_lines()
   for (int i = 0; i < atom->nlocal; i++)
     if (owner_->role()[i] & aleisph::WALL) walls.push_back(i);
   aleisph::contact_planes(wide_, walls, owner_->role(), owner_->normal(), contact_.data(),
-                          disc.spacing(), plane_.data());
+                          cloud.spacing(), plane_.data());
   owner_->forward(plane_.data(), 2);
 }
 
 void FixAleisphTension::find_normals()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   if (model_ == Model::PUBLISHED) {
     lambda_.assign(owner_->nall(), 0.0);
-    for (int i = 0; i < atom->nlocal; i++) lambda_[i] = disc.gradient().lambda(i);
+    for (int i = 0; i < atom->nlocal; i++) lambda_[i] = cloud.gradient().lambda(i);
     owner_->forward(lambda_.data(), 1);
-    aleisph::eigenvalue_gradient(disc.stencil(), disc.gradient(), rows_, lambda_.data(), N_.data());
+    aleisph::eigenvalue_gradient(cloud.stencil(), cloud.gradient(), rows_, lambda_.data(),
+                                 N_.data());
   } else {
-    const auto kernel = aleisph::wide_kernel(domain->dimension, disc.spacing());
-    aleisph::wide_gradient(wide_, rows_, owner_->role(), disc.volume(), N_.data());
+    const auto kernel = aleisph::wide_kernel(domain->dimension, cloud.spacing());
+    aleisph::wide_gradient(wide_, rows_, owner_->role(), cloud.volume(), N_.data());
     if (walls_)
       aleisph::add_continuation(wide_, kernel, rows_, owner_->role(), owner_->normal(),
-                                plane_.data(), disc.volume(), disc.spacing(), contact_params_,
+                                plane_.data(), cloud.volume(), cloud.spacing(), contact_params_,
                                 N_.data(), owner_->wall_shape());
   }
   undirected_ = aleisph::normalise(rows_, N_.data());
@@ -320,28 +321,28 @@ void FixAleisphTension::find_normals()
 
 void FixAleisphTension::find_curvature()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   if (model_ == Model::PUBLISHED) {
-    count_ = aleisph::published_curvature(disc.stencil(), disc.gradient(), rows_, owner_->role(),
-                                          N_.data(), factor_, disc.spacing(), mean_.data());
+    count_ = aleisph::published_curvature(cloud.stencil(), cloud.gradient(), rows_, owner_->role(),
+                                          N_.data(), factor_, cloud.spacing(), mean_.data());
     return;
   }
-  count_ = aleisph::tangent_curvature(disc.stencil(), rows_, owner_->role(), N_.data(),
-                                      disc.volume(), K_.data(), known_.data());
+  count_ = aleisph::tangent_curvature(cloud.stencil(), rows_, owner_->role(), N_.data(),
+                                      cloud.volume(), K_.data(), known_.data());
   owner_->forward(K_.data(), 1);
   owner_->forward(known_.data(), 1);
-  aleisph::smooth_curvature(disc.stencil(), rows_, owner_->role(), N_.data(), K_.data(),
-                            known_.data(), disc.spacing(), mean_.data(), count_);
+  aleisph::smooth_curvature(cloud.stencil(), rows_, owner_->role(), N_.data(), K_.data(),
+                            known_.data(), cloud.spacing(), mean_.data(), count_);
   if (walls_) set_contact_angle();
 }
 
 // near contact lines, the curvature that the angle demands and the normal that goes with it
 void FixAleisphTension::set_contact_angle()
 {
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   share_.assign(atom->nlocal, 0.0);
   count_.limited += aleisph::contact_curvature(
-      wide_, rows_, owner_->role(), owner_->normal(), cosine_.data(), N_.data(), disc.spacing(),
+      wide_, rows_, owner_->role(), owner_->normal(), cosine_.data(), N_.data(), cloud.spacing(),
       contact_params_, share_.data(), mean_.data(), owner_->wall_shape());
   aleisph::contact_surface_normals(rows_, share_.data(), N_.data(), owner_->normal());
   owner_->forward(owner_->normal(), 3);
@@ -363,10 +364,10 @@ void FixAleisphTension::find_pressure()
   p_.assign(atom->nlocal, 0.0);
   const double viscous = viscous_pressure_factor();
   if (viscous > 0.0) {
-    auto &disc = owner_->discretization();
+    auto &cloud = owner_->cloud();
     owner_->forward(owner_->velocity(), 3);
     grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::velocity_gradient(disc.stencil(), disc.gradient(), rows_, owner_->velocity(),
+    aleisph::velocity_gradient(cloud.stencil(), cloud.gradient(), rows_, owner_->velocity(),
                                owner_->role(), owner_->normal(), grad_v_.data());
   }
   for (const int i : rows_) {
@@ -385,7 +386,7 @@ const double *FixAleisphTension::surface_pressure() const
 // mean curvature, half of K in three dimensions.
 void FixAleisphTension::post_force(int)
 {
-  const double volume = owner_->discretization().volume();
+  const double volume = owner_->cloud().volume();
   const double mean = model_ == Model::PUBLISHED ? 1.0 / (domain->dimension - 1) : 1.0;
   const double factor = mean * volume * sigma_ * delta_ / owner_->spacing();
   for (const int i : rows_)
@@ -398,23 +399,23 @@ void FixAleisphTension::add_acceleration(double *a)
   const double d = owner_->spacing();
   const double rate = std::min(filter_ * std::sqrt(sigma_ / (owner_->rho0() * d * d * d)),
                                MAX_FILTER / update->dt);
-  auto &disc = owner_->discretization();
+  auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
   grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(disc.stencil(), disc.gradient(), disc.fluid(), owner_->velocity(),
+  aleisph::velocity_gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->velocity(),
                              owner_->role(), owner_->normal(), grad_v_.data());
   filtered_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_roughness(disc.stencil(), disc.kernel(), disc.fluid(), owner_->role(),
+  aleisph::velocity_roughness(cloud.stencil(), cloud.kernel(), cloud.fluid(), owner_->role(),
                               owner_->velocity(), grad_v_.data(), filtered_.data());
-  for (const int i : disc.fluid())
+  for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += rate * filtered_[k];
 }
 
 void FixAleisphTension::guard_velocity(double *v)
 {
-  auto &disc = owner_->discretization();
-  held_ = aleisph::hold_surface(disc.stencil(), rows_, owner_->role(), owner_->normal(),
-                                HOLD_REACH * disc.spacing(), disc.spacing(), v);
+  auto &cloud = owner_->cloud();
+  held_ = aleisph::hold_surface(cloud.stencil(), rows_, owner_->role(), owner_->normal(),
+                                HOLD_REACH * cloud.spacing(), cloud.spacing(), v);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -94,7 +94,7 @@ void FixAleisph::find_normals()
     if (role_[i] & aleisph::WALL) std::fill_n(&normal_[3 * i], 3, shape_[i] = 0.0);
 
   aleisph::Stencil stencil;
-  stencil.build(discretization_->kernel(), atom->nlocal, atom->x,
+  stencil.build(cloud_->kernel(), atom->nlocal, atom->x,
                 {list_->numneigh, list_->firstneigh, NEIGHMASK}, {role_.data(), aleisph::WALL, 0});
   long found = 1;
   while (found) {
@@ -119,7 +119,7 @@ void FixAleisph::find_normals()
 // whether the fluid within the support lies above wall particle i, not beside it
 bool FixAleisph::below_fluid(int i) const
 {
-  const double support = discretization_->kernel().support();
+  const double support = cloud_->kernel().support();
   double up[3] = {0.0, 0.0, 0.0};
   for (int m = 0; m < list_->numneigh[i]; m++) {
     const int j = list_->firstneigh[i][m] & NEIGHMASK;
@@ -130,7 +130,7 @@ bool FixAleisph::below_fluid(int i) const
       r2 += r[a] * r[a];
     }
     if (r2 == 0.0 || r2 >= support * support) continue;
-    const double weight = -discretization_->kernel().dw(std::sqrt(r2)) / std::sqrt(r2);
+    const double weight = -cloud_->kernel().dw(std::sqrt(r2)) / std::sqrt(r2);
     for (int a = 0; a < 3; a++) up[a] += weight * r[a];
   }
   const double *n = &normal_[3 * i];
@@ -169,5 +169,5 @@ void FixAleisph::forward_roles()
   std::vector<double> bits(role_.begin(), role_.end());
   forward(bits.data(), 1);
   for (int i = atom->nlocal; i < nall(); i++) role_[i] = static_cast<Role>(bits[i]);
-  discretization_->roles_changed();
+  cloud_->roles_changed();
 }

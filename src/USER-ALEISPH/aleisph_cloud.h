@@ -7,8 +7,8 @@
    and nothing is built again. counts() says how often each was.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_DISCRETIZATION_H
-#define LMP_ALEISPH_DISCRETIZATION_H
+#ifndef LMP_ALEISPH_CLOUD_H
+#define LMP_ALEISPH_CLOUD_H
 
 #include "aleisph_operators.h"
 #include "aleisph_seen.h"
@@ -20,10 +20,10 @@ struct BuildCounts {
   long stencil = 0, gradient = 0, laplacian = 0;
 };
 
-class Discretization {
+class Cloud {
  public:
   // volume V = spacing^dim of every particle
-  Discretization(const Kernel &kernel, double spacing, Timers &timers);
+  Cloud(const Kernel &kernel, double spacing, Timers &timers);
 
   // L of fluid rows is bounded: eigenvalues of M count as `floor` at least
   void set_floor(double floor) { floor_ = floor; }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_discretization.h"
+#include "aleisph_cloud.h"
 
 #include <cmath>
 
 namespace aleisph {
 
-Discretization::Discretization(const Kernel &kernel, double spacing, Timers &timers) :
+Cloud::Cloud(const Kernel &kernel, double spacing, Timers &timers) :
     kernel_(kernel), spacing_(spacing), volume_(std::pow(spacing, kernel.dim())), timers_(timers)
 {
 }
 
-void Discretization::update(int nowned, const double *const *x, const CandidateList &list,
-                            const Role *role, bool dry)
+void Cloud::update(int nowned, const double *const *x, const CandidateList &list, const Role *role,
+                   bool dry)
 {
   Timers::Scope scope(timers_, Part::STENCIL);
   PairFilter filter;
@@ -24,7 +24,7 @@ void Discretization::update(int nowned, const double *const *x, const CandidateL
   counts_.stencil++;
 }
 
-void Discretization::sort_rows(int nowned, const Role *role)
+void Cloud::sort_rows(int nowned, const Role *role)
 {
   fluid_.clear();
   wall_.clear();
@@ -42,7 +42,7 @@ void Discretization::sort_rows(int nowned, const Role *role)
   }
 }
 
-const GradientWeights &Discretization::gradient()
+const GradientWeights &Cloud::gradient()
 {
   if (!have_gradient_) {
     Timers::Scope scope(timers_, Part::OPERATORS);
@@ -53,7 +53,7 @@ const GradientWeights &Discretization::gradient()
   return gradient_;
 }
 
-const Role *Discretization::seen()
+const Role *Cloud::seen()
 {
   if (!have_seen_) {
     Timers::Scope scope(timers_, Part::STENCIL);
@@ -63,7 +63,7 @@ const Role *Discretization::seen()
   return seen_.data();
 }
 
-const LaplacianWeights &Discretization::laplacian()
+const LaplacianWeights &Cloud::laplacian()
 {
   if (!have_weights_) {
     const GradientWeights &g = gradient();
@@ -75,7 +75,7 @@ const LaplacianWeights &Discretization::laplacian()
   return laplacian_;
 }
 
-void Discretization::laplacian_weights(bool keep, std::vector<double> &a)
+void Cloud::laplacian_weights(bool keep, std::vector<double> &a)
 {
   if (keep) {
     laplacian();
@@ -88,7 +88,7 @@ void Discretization::laplacian_weights(bool keep, std::vector<double> &a)
   }
 }
 
-const LaplacianWeights &Discretization::laplacian_rows()
+const LaplacianWeights &Cloud::laplacian_rows()
 {
   return have_laplacian_ ? laplacian_ : laplacian();
 }

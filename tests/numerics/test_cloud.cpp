@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Rows by role, weights built on demand and kept, and timers that add up.
 
-#include "aleisph_discretization.h"
+#include "aleisph_cloud.h"
 
 #include <array>
 #include <gtest/gtest.h>
@@ -25,9 +25,9 @@ class Patch {
     }
     role.fill(FLUID);
   }
-  void update(Discretization &disc) const
+  void update(Cloud &cloud) const
   {
-    disc.update(N, x_.data(), {count_.data(), first_.data(), ~0}, role.data());
+    cloud.update(N, x_.data(), {count_.data(), first_.data(), ~0}, role.data());
   }
 
   static constexpr int N = 25;
@@ -41,94 +41,94 @@ class Patch {
   std::array<const int *, N> first_;
 };
 
-TEST(Discretization, SortsRowsByRole)
+TEST(Cloud, SortsRowsByRole)
 {
   Timers timers;
-  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
   Patch patch;
   patch.role[0] = WALL | DIRICHLET;
   patch.role[1] = FLUID | BUFFER | DIRICHLET;
   patch.role[2] = FLUID | DIRICHLET;
-  patch.update(disc);
-  EXPECT_EQ(disc.wall(), Rows({0}));
-  EXPECT_EQ(disc.buffer(), Rows({1}));
-  EXPECT_EQ(disc.fluid().size(), 23u);
-  EXPECT_EQ(disc.fluid().front(), 2);
-  EXPECT_EQ(disc.all().size(), 25u);
+  patch.update(cloud);
+  EXPECT_EQ(cloud.wall(), Rows({0}));
+  EXPECT_EQ(cloud.buffer(), Rows({1}));
+  EXPECT_EQ(cloud.fluid().size(), 23u);
+  EXPECT_EQ(cloud.fluid().front(), 2);
+  EXPECT_EQ(cloud.all().size(), 25u);
 }
 
-TEST(Discretization, BuildsOnceAndOnlyWhatIsAskedFor)
+TEST(Cloud, BuildsOnceAndOnlyWhatIsAskedFor)
 {
   Timers timers;
-  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
   const Patch patch;
-  patch.update(disc);
-  EXPECT_EQ(disc.counts().stencil, 1);
-  EXPECT_EQ(disc.counts().gradient, 0);
-  disc.laplacian();    // needs the gradient
-  disc.laplacian();
-  disc.gradient();
-  EXPECT_EQ(disc.counts().gradient, 1);
-  EXPECT_EQ(disc.counts().laplacian, 1);
-  patch.update(disc);
-  disc.gradient();
-  EXPECT_EQ(disc.counts().stencil, 2);
-  EXPECT_EQ(disc.counts().gradient, 2);
-  EXPECT_EQ(disc.counts().laplacian, 1);
-  EXPECT_GT(disc.bytes(), 0.0);
+  patch.update(cloud);
+  EXPECT_EQ(cloud.counts().stencil, 1);
+  EXPECT_EQ(cloud.counts().gradient, 0);
+  cloud.laplacian();    // needs the gradient
+  cloud.laplacian();
+  cloud.gradient();
+  EXPECT_EQ(cloud.counts().gradient, 1);
+  EXPECT_EQ(cloud.counts().laplacian, 1);
+  patch.update(cloud);
+  cloud.gradient();
+  EXPECT_EQ(cloud.counts().stencil, 2);
+  EXPECT_EQ(cloud.counts().gradient, 2);
+  EXPECT_EQ(cloud.counts().laplacian, 1);
+  EXPECT_GT(cloud.bytes(), 0.0);
 }
 
 // The matrix may take the memory of the weights; who asks for them later gets the same ones.
-TEST(Discretization, LaplacianWeightsAreCopiedOrGivenAway)
+TEST(Cloud, LaplacianWeightsAreCopiedOrGivenAway)
 {
   Timers timers;
-  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
   const Patch patch;
-  patch.update(disc);
+  patch.update(cloud);
   std::vector<double> copy, taken;
-  disc.laplacian_weights(true, copy);
-  ASSERT_EQ(static_cast<int>(copy.size()), disc.stencil().pairs());
-  for (int k = 0; k < disc.stencil().pairs(); k++) EXPECT_EQ(copy[k], disc.laplacian().a()[k]);
-  EXPECT_EQ(disc.counts().laplacian, 1);
+  cloud.laplacian_weights(true, copy);
+  ASSERT_EQ(static_cast<int>(copy.size()), cloud.stencil().pairs());
+  for (int k = 0; k < cloud.stencil().pairs(); k++) EXPECT_EQ(copy[k], cloud.laplacian().a()[k]);
+  EXPECT_EQ(cloud.counts().laplacian, 1);
 
-  disc.laplacian_weights(false, taken);
+  cloud.laplacian_weights(false, taken);
   EXPECT_EQ(taken, copy);
-  const double diagonal = disc.laplacian_rows().diagonal(12);
+  const double diagonal = cloud.laplacian_rows().diagonal(12);
   EXPECT_LT(diagonal, 0.0);
-  EXPECT_EQ(disc.counts().laplacian, 1);
-  for (int k = 0; k < disc.stencil().pairs(); k++) EXPECT_EQ(copy[k], disc.laplacian().a()[k]);
-  EXPECT_EQ(disc.counts().laplacian, 2);
+  EXPECT_EQ(cloud.counts().laplacian, 1);
+  for (int k = 0; k < cloud.stencil().pairs(); k++) EXPECT_EQ(copy[k], cloud.laplacian().a()[k]);
+  EXPECT_EQ(cloud.counts().laplacian, 2);
 
-  patch.update(disc);
+  patch.update(cloud);
   const double *const memory = taken.data();
-  disc.laplacian_weights(false, taken);
+  cloud.laplacian_weights(false, taken);
   EXPECT_EQ(taken, copy);
-  patch.update(disc);
-  disc.laplacian_weights(false, taken);
+  patch.update(cloud);
+  cloud.laplacian_weights(false, taken);
   EXPECT_EQ(taken.data(), memory) << "not built in the memory given";
 }
 
-TEST(Discretization, RolesSeenAreThoseOfTheNeighbours)
+TEST(Cloud, RolesSeenAreThoseOfTheNeighbours)
 {
   Timers timers;
-  Discretization disc(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, 2, 1.2), 1.0, timers);
   Patch patch;
   patch.role[0] = WALL;
-  patch.update(disc);
+  patch.update(cloud);
   const auto expect = [&] {
-    const Stencil &s = disc.stencil();
+    const Stencil &s = cloud.stencil();
     for (int i = 0; i < Patch::N; i++) {
       Role expected = 0;
       for (int k = s.begin(i); k < s.end(i); k++) expected |= patch.role[s.col()[k]];
-      EXPECT_EQ(disc.seen()[i], expected) << i;
+      EXPECT_EQ(cloud.seen()[i], expected) << i;
       for (Role wanted : {WALL, SURFACE, FLUID})
         EXPECT_EQ(SeenRoles(s, patch.role.data()).any(i, wanted), (expected & wanted) != 0);
     }
   };
   expect();
-  EXPECT_EQ(disc.seen()[Patch::N - 1] & WALL, 0u);
+  EXPECT_EQ(cloud.seen()[Patch::N - 1] & WALL, 0u);
   patch.role[Patch::N - 1] |= SURFACE;
-  disc.roles_changed();
+  cloud.roles_changed();
   expect();
 }
 
