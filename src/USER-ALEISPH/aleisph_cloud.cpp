@@ -11,38 +11,46 @@ Cloud::Cloud(const Kernel &kernel, double spacing, Timers &timers) :
 {
 }
 
-void Cloud::update(int nowned, const double *const *x, const CandidateList &list, const Role *role,
-                   bool dry)
+void Cloud::reset(int nowned, int n)
+{
+  nowned_ = nowned;
+  role_.assign(n, 0);
+  normal_.assign(3 * static_cast<std::size_t>(n), 0.0);
+  shape_.assign(n, 0.0);
+  have_seen_ = false;
+}
+
+void Cloud::update(const double *const *x, const CandidateList &list, bool dry)
 {
   Timers::Scope scope(timers_, Part::STENCIL);
   PairFilter filter;
-  if (dry) filter = {role, ~0u, DRY};
-  stencil_.build(kernel_, nowned, x, list, filter);
-  role_ = role;
-  sort_rows(nowned, role);
+  if (dry) filter = {role_.data(), ~0u, DRY};
+  stencil_.build(kernel_, nowned_, x, list, filter);
+  sort_rows();
   have_gradient_ = have_laplacian_ = have_weights_ = have_seen_ = false;
   counts_.stencil++;
+  version_++;
 }
 
-void Cloud::sort_rows(int nowned, const Role *role)
+void Cloud::sort_rows()
 {
   fluid_.clear();
   wall_.clear();
   buffer_.clear();
-  all_.resize(nowned);
-  for (int i = 0; i < nowned; i++) {
+  all_.resize(nowned_);
+  for (int i = 0; i < nowned_; i++) {
     all_[i] = i;
-    if (role[i] & DRY) continue;
-    if (role[i] & WALL)
+    if (role_[i] & DRY) continue;
+    if (role_[i] & WALL)
       wall_.push_back(i);
-    else if (role[i] & BUFFER)
+    else if (role_[i] & BUFFER)
       buffer_.push_back(i);
-    else if (role[i] & FLUID)
+    else if (role_[i] & FLUID)
       fluid_.push_back(i);
   }
 }
 
-const GradientWeights &Cloud::gradient()
+const GradientWeights &Cloud::gradient() const
 {
   if (!have_gradient_) {
     Timers::Scope scope(timers_, Part::OPERATORS);
@@ -53,29 +61,30 @@ const GradientWeights &Cloud::gradient()
   return gradient_;
 }
 
-const Role *Cloud::seen()
+SeenRoles Cloud::neighbours() const
 {
   if (!have_seen_) {
     Timers::Scope scope(timers_, Part::STENCIL);
-    SeenRoles(stencil_, role_).make_table(seen_);
+    SeenRoles(stencil_, role_.data()).make_table(seen_);
     have_seen_ = true;
   }
-  return seen_.data();
+  return SeenRoles(stencil_, role_.data(), seen_.data());
 }
 
-const LaplacianWeights &Cloud::laplacian()
+const LaplacianWeights &Cloud::laplacian() const
 {
   if (!have_weights_) {
     const GradientWeights &g = gradient();
     Timers::Scope scope(timers_, Part::OPERATORS);
-    laplacian_.build(stencil_, g, fluid_, kernel_, spacing_, LaplacianLimits(), role_);
+    laplacian_.build(stencil_, g, fluid_, laplacian_bounds(limits_, kernel_, spacing_),
+                     role_.data());
     have_laplacian_ = have_weights_ = true;
     counts_.laplacian++;
   }
   return laplacian_;
 }
 
-void Cloud::laplacian_weights(bool keep, std::vector<double> &a)
+void Cloud::laplacian_weights(bool keep, std::vector<double> &a) const
 {
   if (keep) {
     laplacian();
@@ -88,9 +97,16 @@ void Cloud::laplacian_weights(bool keep, std::vector<double> &a)
   }
 }
 
-const LaplacianWeights &Cloud::laplacian_rows()
+const LaplacianWeights &Cloud::laplacian_rows() const
 {
   return have_laplacian_ ? laplacian_ : laplacian();
+}
+
+double Cloud::bytes() const
+{
+  return stencil_.bytes() + gradient_.bytes() + laplacian_.bytes() +
+      static_cast<double>(sizeof(double) * (normal_.capacity() + shape_.capacity()) +
+                          sizeof(Role) * (role_.capacity() + seen_.capacity()));
 }
 
 }    // namespace aleisph

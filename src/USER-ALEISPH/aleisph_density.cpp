@@ -4,6 +4,7 @@
    nearest neighbours or over the full support.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_cloud.h"
 #include "aleisph_images.h"
 #include "aleisph_seen.h"
 #include "aleisph_shift.h"
@@ -51,16 +52,18 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach)
   return {1.0 / (std::pow(d, kernel.dim()) * full), half / full, curved / full};
 }
 
-void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                       const double *normal, double volume, double d, bool published, double *eps,
-                       const double *curvature, const Role *seen)
+void density_deviation(const Cloud &cloud, bool published, double *eps, const double *curvature)
 {
+  const Stencil &s = cloud.stencil();
+  const Kernel &kernel = cloud.kernel();
+  const Role *const role = cloud.role();
+  const double d = cloud.spacing();
   const double reach = published ? nearest_reach(kernel.dim(), d) : kernel.support();
   const DensityScale scale = density_scale(kernel, d, reach);
-  Images images(s, role, normal, d, kernel.support(), true);
+  Images images(cloud, true);
   const SurfaceShape shape(kernel, d);
-  const SeenRoles neighbours(s, role, seen);
-  for (const int i : fluid) {
+  const SeenRoles neighbours = cloud.neighbours();
+  for (const int i : cloud.fluid()) {
     double sum = kernel.w(0.0) + sum_near(s, kernel, i, reach), expected = 1.0;
     const bool wall = !published && neighbours.any(i, WALL);
     if (wall || (!published && neighbours.any(i, SURFACE)))
@@ -68,7 +71,7 @@ void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid
     if (!published && (role[i] & SURFACE))
       expected = wall ? scale.flat : shape.density(shape.asymmetry(s, i));
     if (!published && curvature && (role[i] & SURFACE)) expected -= scale.curved * curvature[i] * d;
-    eps[i] = scale.beta * volume * sum - expected;
+    eps[i] = scale.beta * cloud.volume() * sum - expected;
     if (wall && std::fabs(eps[i]) < IMAGE_ERROR) eps[i] = 0.0;
   }
 }

@@ -9,6 +9,8 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_guards.h"
+
+#include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
@@ -29,6 +31,7 @@ constexpr double BELOW = 0.8;
 constexpr double BELOW_IN_CORNER = 1.5;
 // a neighbour that stands out from the tangent plane by more than this makes a concave corner
 constexpr double CONCAVE = 0.3;
+constexpr double CONVEX = 0.95;          // shape below which a wall particle lies on a convex edge
 constexpr double OTHER_SIDE = -0.5;      // so far behind a wall is not held
 constexpr int MAX_PASSES = 20;           // over the walls that hold a particle
 constexpr double TOLERANCE = 1.0e-12;    // of a distance, in spacings
@@ -39,8 +42,10 @@ inline void store(const Vec3 &value, double *v, int i)
 }
 
 // v_ij.e_ij where pair k collides, else 0
-double approach(const Stencil &s, int i, int k, const Role *role, const double *v, double reach)
+double approach(const Cloud &cloud, int i, int k, const double *v, double reach)
 {
+  const Stencil &s = cloud.stencil();
+  const Role *const role = cloud.role();
   const int j = s.col()[k];
   if (!(s.r()[k] < reach) || !(role[j] & (FLUID | WALL))) return 0.0;
   return std::min((at(v, i) - at(v, j)).dot(direction(s, k)), 0.0);
@@ -66,29 +71,30 @@ double soft_distance(double s, double q)
   return s < q ? q * (0.5 + 0.5 * std::exp((s - q) / q)) : s;
 }
 
-struct Motion {
-  const Stencil &s;
-  const Role *role;
-  const double *normal, *convex, *v, *w;
-  double d, distance, dt;
-};
+// seen from outside
+bool convex_edge(double shape)
+{
+  return shape > 0.0 && shape < CONVEX;
+}
 
 // the wall particles on whose fluid side particle i is
-WallNeighbours wall_neighbours(const Motion &m, int i)
+WallNeighbours wall_neighbours(const Cloud &cloud, const WallGuard &guard, int i)
 {
+  const Stencil &s = cloud.stencil();
   WallNeighbours walls;
-  for (int k = m.s.begin(i); k < m.s.end(i); k++) {
-    const int j = m.s.col()[k];
-    if (!(m.role[j] & WALL)) continue;
+  for (int k = s.begin(i); k < s.end(i); k++) {
+    const int j = s.col()[k];
+    if (!(cloud.role()[j] & WALL)) continue;
     WallNeighbour wall;
-    const Vec3 r_ij = m.s.r()[k] * direction(m.s, k);
-    wall.convex = m.convex[j] != 0.0;
-    wall.n = wall.convex ? direction(m.s, k) : at(m.normal, j);
-    wall.v = at(m.v, j);
-    wall.end = r_ij + m.dt * (at(m.w, i) - wall.v);
+    const Vec3 r_ij = s.r()[k] * direction(s, k);
+    wall.convex = convex_edge(cloud.shape()[j]);
+    wall.n = wall.convex ? direction(s, k) : at(cloud.normal(), j);
+    wall.v = at(guard.v, j);
+    wall.end = r_ij + guard.dt * (at(guard.w, i) - wall.v);
     wall.s = wall.end.dot(wall.n);
-    wall.target = soft_distance(wall.s, m.distance);
-    if (wall.n.squaredNorm() > 0.0 && r_ij.dot(wall.n) > OTHER_SIDE * m.d) walls.push_back(wall);
+    wall.target = soft_distance(wall.s, guard.distance);
+    if (wall.n.squaredNorm() > 0.0 && r_ij.dot(wall.n) > OTHER_SIDE * cloud.spacing())
+      walls.push_back(wall);
   }
   return walls;
 }
@@ -142,28 +148,28 @@ Held hold(const WallNeighbours &walls, const Vec3 &v_i, double d)
 
 }    // namespace
 
-void count_approaching(const Stencil &s, const Rows &fluid, const Role *role, const double *v,
-                       double reach, double *n)
+void count_approaching(const Cloud &cloud, const double *v, double reach, double *n)
 {
-  for (const int i : fluid) {
+  const Stencil &s = cloud.stencil();
+  for (const int i : cloud.fluid()) {
     n[i] = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++)
-      if (approach(s, i, k, role, v, reach) < 0.0) n[i] += 1.0;
+      if (approach(cloud, i, k, v, reach) < 0.0) n[i] += 1.0;
   }
 }
 
-int collide(const Stencil &s, const Rows &fluid, const Role *role, const double *v, const double *n,
-            double reach, double *dv)
+int collide(const Cloud &cloud, const double *v, const double *n, double reach, double *dv)
 {
+  const Stencil &s = cloud.stencil();
   int changed = 0;
-  for (const int i : fluid) {
+  for (const int i : cloud.fluid()) {
     Vec3 sum = Vec3::Zero();
     bool collides = false;
     for (int k = s.begin(i); k < s.end(i); k++) {
-      const double a_ij = approach(s, i, k, role, v, reach);
+      const double a_ij = approach(cloud, i, k, v, reach);
       if (!(a_ij < 0.0)) continue;
       const int j = s.col()[k];
-      const double w_ij = (role[j] & WALL) ? 1.0 / n[i] : 0.5 / std::max(n[i], n[j]);
+      const double w_ij = (cloud.role()[j] & WALL) ? 1.0 / n[i] : 0.5 / std::max(n[i], n[j]);
       sum -= w_ij * a_ij * direction(s, k);
       collides = true;
     }
@@ -173,17 +179,15 @@ int collide(const Stencil &s, const Rows &fluid, const Role *role, const double 
   return changed;
 }
 
-int hold_off_walls(const Stencil &s, const Rows &fluid, const Role *role, const double *normal,
-                   const double *convex, const double *v, const double *w, double d,
-                   double distance, double dt, double *dv, double *dw)
+int hold_off_walls(const Cloud &cloud, const WallGuard &guard, double *dv, double *dw)
 {
-  const Motion motion = {s, role, normal, convex, v, w, d, distance, dt};
+  const double d = cloud.spacing();
   int count = 0;
-  for (const int i : fluid) {
-    const WallNeighbours walls = holding(wall_neighbours(motion, i), distance, d);
-    const Held held = walls.empty() ? Held() : hold(walls, at(v, i), d);
+  for (const int i : cloud.fluid()) {
+    const WallNeighbours walls = holding(wall_neighbours(cloud, guard, i), guard.distance, d);
+    const Held held = walls.empty() ? Held() : hold(walls, at(guard.v, i), d);
     store(held.dv, dv, i);
-    store(held.dx / dt, dw, i);
+    store(held.dx / guard.dt, dw, i);
     count += !walls.empty();
   }
   return count;

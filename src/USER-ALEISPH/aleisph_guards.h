@@ -27,10 +27,8 @@ namespace aleisph {
    dv is the change of v, zero where there is no collision. Returns the number
    of owned particles changed.
 ------------------------------------------------------------------------- */
-void count_approaching(const Stencil &s, const Rows &fluid, const Role *role, const double *v,
-                       double reach, double *n);
-int collide(const Stencil &s, const Rows &fluid, const Role *role, const double *v, const double *n,
-            double reach, double *dv);
+void count_approaching(const Cloud &cloud, const double *v, double reach, double *n);
+int collide(const Cloud &cloud, const double *v, const double *n, double reach, double *dv);
 
 /* ----------------------------------------------------------------------
    The self term of the pressure gradient on truncated rows: fluid rows not
@@ -50,7 +48,6 @@ int collide(const Stencil &s, const Rows &fluid, const Role *role, const double 
    (P - sigma |S'|^2)/|A| is the part of a particle's own divergence that its
    own pressure removes, 0.11 on the lattice in 2d, 0.06 in 3d. The neighbours
    do the rest, so that rows with much more overshoot: hence the bound.
-   l: the rows of the pressure equation; null: without the bound.
    inverse: L_i of owned and ghost fluid particles, 6 per particle, as from
    GradientWeights::inverse() with the floor of g; read of the fluid neighbours of the
    rows concerned. Returns the number of rows changed (sigma < 1).
@@ -59,20 +56,19 @@ struct SelfTermParams {
   double low = 0.1, high = 0.3;
   double response = 0.17;
   double near_surface = 2.4, wall_reach = 1.7;    // in spacings
+  bool bounded = true;                            // the bound that the Laplacian gives for sigma
 };
 
-int correct_self_term(const Stencil &s, const GradientWeights &g, const Rows &fluid,
-                      const Role *role, const double *normal, const double *inverse, double volume,
-                      double d, const SelfTermParams &params, const double *p, double *grad,
-                      const LaplacianWeights *l = nullptr);
+int correct_self_term(const Cloud &cloud, const SelfTermParams &params, const double *inverse,
+                      const double *p, double *grad);
 
 /* ----------------------------------------------------------------------
    Pressure gradient by the symmetric form sum_j V (p_i + p_j) gradW_ij on
-   fluid rows with lambda < max_lambda; replaces what grad holds there, so it
+   those of the rows listed with lambda < max_lambda; replaces what grad holds there, so it
    comes after correct_self_term(). Returns the number of rows changed.
 ------------------------------------------------------------------------- */
-int symmetric_gradient(const Stencil &s, const GradientWeights &g, const Rows &fluid, double volume,
-                       double max_lambda, const double *p, double *grad);
+int symmetric_gradient(const Cloud &cloud, const Rows &rows, double max_lambda, const double *p,
+                       double *grad);
 
 /* ----------------------------------------------------------------------
    Wall guard. A fluid particle that would come closer to a wall than
@@ -86,16 +82,19 @@ int symmetric_gradient(const Stencil &s, const GradientWeights &g, const Rows &f
    The distance is measured along the normal of wall neighbours that lie
    below the particle (tangential offset < 0.8 d after the motion; next to a
    concave edge or corner < 1.5 d, as the faces there go on up to it), on
-   convex edges (convex[j] != 0) along the line that joins the two before the
+   convex edges (wall shape below 0.95) along the line that joins the two before the
    motion. A particle more than d/2 behind a wall particle belongs to the
    other side of a thin body and is let alone.
    dv, dw: zero on rows that are not held. The new transport velocity is
    w + dw; kept as v + shift velocity, the latter changes by dw - dv.
    Returns the number of particles held.
 ------------------------------------------------------------------------- */
-int hold_off_walls(const Stencil &s, const Rows &fluid, const Role *role, const double *normal,
-                   const double *convex, const double *v, const double *w, double d,
-                   double distance, double dt, double *dv, double *dw);
+struct WallGuard {
+  double distance;        // q
+  double dt;              // [time]
+  const double *v, *w;    // w: owned particles
+};
+int hold_off_walls(const Cloud &cloud, const WallGuard &guard, double *dv, double *dw);
 
 // velocities above `speed` are scaled down to it; returns the number of particles
 int cap_velocity(const Rows &fluid, int dim, double speed, double *v);

@@ -6,6 +6,8 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_guards.h"
+
+#include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
 #include "aleisph_wall_cone.h"
 
@@ -34,15 +36,16 @@ Vec3 sum_of_weights(const Stencil &s, const GradientWeights &g, int i)
 }
 
 // P_i
-double divergence_of_gradient(const Stencil &s, const GradientWeights &g, const Role *role,
-                              const double *inverse, double volume, int i)
+double divergence_of_gradient(const Cloud &cloud, const double *inverse, int i)
 {
+  const Stencil &s = cloud.stencil();
+  const GradientWeights &g = cloud.gradient();
   double sum = 0.0;
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
     const Vec3 g_ij = pair_gradient(s, g, i, k);
-    if (role[j] & FLUID)
-      sum += volume * s.dw()[k] * g_ij.dot(packed_matrix(inverse, j) * direction(s, k));
+    if (cloud.role()[j] & FLUID)
+      sum += cloud.volume() * s.dw()[k] * g_ij.dot(packed_matrix(inverse, j) * direction(s, k));
     else
       sum += g_ij.squaredNorm();
   }
@@ -50,12 +53,14 @@ double divergence_of_gradient(const Stencil &s, const GradientWeights &g, const 
 }
 
 // S without its parts along the normals of the walls next to i
-Vec3 without_outward_parts(const Stencil &s, const Role *role, const double *normal, int i,
-                           double reach, const Vec3 &S)
+Vec3 without_outward_parts(const Cloud &cloud, int i, double reach, const Vec3 &S)
 {
+  const Stencil &s = cloud.stencil();
+  const Role *const role = cloud.role();
   std::vector<Vec3> normals;
   for (int k = s.begin(i); k < s.end(i); k++)
-    if ((role[s.col()[k]] & WALL) && s.r()[k] < reach) normals.push_back(at(normal, s.col()[k]));
+    if ((role[s.col()[k]] & WALL) && s.r()[k] < reach)
+      normals.push_back(at(cloud.normal(), s.col()[k]));
   return -without_parts_into_walls(-S, normals);
 }
 
@@ -71,18 +76,20 @@ double self_weight(double S2, double P, double A, const SelfTermParams &params)
 
 }    // namespace
 
-int correct_self_term(const Stencil &s, const GradientWeights &g, const Rows &fluid,
-                      const Role *role, const double *normal, const double *inverse, double volume,
-                      double d, const SelfTermParams &params, const double *p, double *grad,
-                      const LaplacianWeights *l)
+int correct_self_term(const Cloud &cloud, const SelfTermParams &params, const double *inverse,
+                      const double *p, double *grad)
 {
+  const Stencil &s = cloud.stencil();
+  const Role *const role = cloud.role();
+  const double d = cloud.spacing();
+  const LaplacianWeights *const l = params.bounded ? &cloud.laplacian_rows() : nullptr;
   constexpr double inf = std::numeric_limits<double>::infinity();
   int changed = 0;
-  for (const int i : fluid) {
+  for (const int i : cloud.fluid()) {
     if ((role[i] & SURFACE) || !near_surface(s, role, i, params.near_surface * d)) continue;
-    const Vec3 S = without_outward_parts(s, role, normal, i, params.wall_reach * d,
-                                         sum_of_weights(s, g, i));
-    const double P = divergence_of_gradient(s, g, role, inverse, volume, i);
+    const Vec3 S = without_outward_parts(cloud, i, params.wall_reach * d,
+                                         sum_of_weights(s, cloud.gradient(), i));
+    const double P = divergence_of_gradient(cloud, inverse, i);
     const double A = l ? l->diagonal(i) : -inf;
     const double sigma = self_weight(S.squaredNorm(), P, A, params);
     for (int a = 0; a < 3; a++) grad[3 * i + a] += (1.0 - sigma) * p[i] * S[a];
@@ -91,15 +98,16 @@ int correct_self_term(const Stencil &s, const GradientWeights &g, const Rows &fl
   return changed;
 }
 
-int symmetric_gradient(const Stencil &s, const GradientWeights &g, const Rows &fluid, double volume,
-                       double max_lambda, const double *p, double *grad)
+int symmetric_gradient(const Cloud &cloud, const Rows &rows, double max_lambda, const double *p,
+                       double *grad)
 {
+  const Stencil &s = cloud.stencil();
   int changed = 0;
-  for (const int i : fluid) {
-    if (!(g.lambda(i) < max_lambda)) continue;
+  for (const int i : rows) {
+    if (!(cloud.gradient().lambda(i) < max_lambda)) continue;
     Vec3 sum = Vec3::Zero();
     for (int k = s.begin(i); k < s.end(i); k++)
-      sum += volume * s.dw()[k] * (p[i] + p[s.col()[k]]) * direction(s, k);
+      sum += cloud.volume() * s.dw()[k] * (p[i] + p[s.col()[k]]) * direction(s, k);
     for (int a = 0; a < 3; a++) grad[3 * i + a] = sum[a];
     changed++;
   }

@@ -24,7 +24,7 @@ class AleisphHaloOperator : public aleisph::LinearOperator {
   {
   }
   int rows() const override { return matrix_.rows(); }
-  int columns() const override { return owner_.nall(); }
+  int columns() const override { return owner_.cloud().size(); }
   void apply(double *x, double *y) override
   {
     const aleisph::RowSplit &split = owner_.row_split();

@@ -123,7 +123,7 @@ class AleisphHaloSolver : protected Pointers {
     long long mine = rows;
     long long end = 0;
     MPI_Scan(&mine, &end, 1, MPI_LONG_LONG, MPI_SUM, world);
-    std::vector<double> number(owner.nall());
+    std::vector<double> number(owner.cloud().size());
     for (int i = 0; i < rows; i++) number[i] = static_cast<double>(end - rows + i);
     owner.forward(number.data(), 1);
     return std::vector<long long>(number.begin(), number.end());

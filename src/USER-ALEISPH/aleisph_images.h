@@ -23,7 +23,7 @@
 #ifndef LMP_ALEISPH_IMAGES_H
 #define LMP_ALEISPH_IMAGES_H
 
-#include "aleisph_operators.h"
+#include "aleisph_cloud.h"
 
 #include <Eigen/Core>
 #include <vector>
@@ -36,10 +36,9 @@ class Images {
   static constexpr double TAKEN = 0.9, DUPLICATE = 0.5;
 
   // surface: whether the surface has images (walls have them always)
-  Images(const Stencil &s, const Role *role, const double *normal, double d, double support,
-         bool surface) :
-      s_(s),
-      role_(role), normal_(normal), d_(d), support_(support), surface_(surface)
+  Images(const Cloud &cloud, bool surface) :
+      s_(cloud.stencil()), role_(cloud.role()), normal_(cloud.normal()), d_(cloud.spacing()),
+      support_(cloud.kernel().support()), surface_(surface)
   {
   }
 

@@ -5,6 +5,7 @@
    Fox & Zhu, J. Comput. Phys. 136 (1997) 214.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_cloud.h"
 #include "aleisph_laplacian_system.h"
 #include "aleisph_lattice.h"
 #include "aleisph_operators.h"
@@ -26,29 +27,6 @@ template <class T> double held(const std::vector<T> &v)
 
 enum class RowKind { CORRECTED, LAMBDA, CONDITION, DIAGONAL, SURFACE };
 
-// LaplacianLimits in the units of the row
-struct Thresholds {
-  double lambda, cond;
-  double min_diagonal, max_diagonal;    // of sum_j a_ij [1/length^2]
-  double eta_h2;
-};
-
-Thresholds thresholds(const LaplacianLimits &limits, const Kernel &kernel, double d)
-{
-  Thresholds t;
-  // a singular M has no g_ij, hence no corrected row, whatever the limits
-  t.lambda = std::max(limits.min_lambda, GradientWeights::MIN_LAMBDA);
-  t.cond = limits.max_cond;
-  t.min_diagonal = -INF;
-  t.max_diagonal = INF;
-  t.eta_h2 = limits.eta * kernel.h() * kernel.h();
-  if (limits.min_diagonal == -INF && limits.max_diagonal == INF) return t;    // the lattice itself
-  const double lattice = lattice_diagonal(kernel, d) / (d * d);
-  t.max_diagonal = -limits.min_diagonal * lattice;
-  t.min_diagonal = -limits.max_diagonal * lattice;
-  return t;
-}
-
 // where the results go: a per pair, the others per row
 struct Target {
   double *a, *diagonal, *condition;
@@ -69,10 +47,10 @@ inline double quadratic(const LaplacianRow<3> &row, double x, double y, double z
 
 template <int D> class RowBuilder {
  public:
-  RowBuilder(const Stencil &s, const GradientWeights &g, const Thresholds &t, const Role *role,
-             const Target &out) :
+  RowBuilder(const Stencil &s, const GradientWeights &g, const LaplacianBounds &bounds,
+             const Role *role, const Target &out) :
       s_(s),
-      g_(g), t_(t), role_(role), out_(out)
+      g_(g), t_(bounds), role_(role), out_(out)
   {
   }
 
@@ -85,7 +63,7 @@ template <int D> class RowBuilder {
   }
 
  private:
-  bool trusted(int i) const { return g_.lambda(i) >= t_.lambda; }
+  bool trusted(int i) const { return g_.lambda(i) >= t_.min_lambda; }
   bool surface(int i) const { return role_ && (role_[i] & SURFACE); }
 
   void build_batch(const int *rows, int n)
@@ -100,14 +78,14 @@ template <int D> class RowBuilder {
         solved[m++] = rows[k];
     }
     LaplacianRow<D> systems[BATCH];
-    solve_laplacian_systems<D>(s_, g_, solved, m, t_.cond, systems);
+    solve_laplacian_systems<D>(s_, g_, solved, m, t_.max_cond, systems);
     for (int k = 0; k < m; k++) corrected_row(solved[k], systems[k]);
   }
 
   void corrected_row(int i, const LaplacianRow<D> &row)
   {
     out_.condition[i] = row.condition;
-    if (!(row.condition <= t_.cond) || !std::isfinite(row.condition))
+    if (!(row.condition <= t_.max_cond) || !std::isfinite(row.condition))
       return morris_row(i, RowKind::CONDITION);
     const double *const r = s_.r(), *const dw = s_.dw(), *const x = s_.e(0), *const y = s_.e(1);
     for (int k = s_.begin(i); k < s_.end(i); k++) {
@@ -148,7 +126,7 @@ template <int D> class RowBuilder {
 
   const Stencil &s_;
   const GradientWeights &g_;
-  const Thresholds &t_;
+  const LaplacianBounds &t_;
   const Role *role_;
   const Target &out_;
   MorrisCount count_;
@@ -156,18 +134,33 @@ template <int D> class RowBuilder {
 
 }    // namespace
 
+LaplacianBounds laplacian_bounds(const LaplacianLimits &limits, const Kernel &kernel, double d)
+{
+  LaplacianBounds bounds;
+  // a singular M has no g_ij, hence no corrected row, whatever the limits
+  bounds.min_lambda = std::max(limits.min_lambda, GradientWeights::MIN_LAMBDA);
+  bounds.max_cond = limits.max_cond;
+  bounds.min_diagonal = -INF;
+  bounds.max_diagonal = INF;
+  bounds.eta_h2 = limits.eta * kernel.h() * kernel.h();
+  // no bound: the lattice itself is of no interest
+  if (limits.min_diagonal == -INF && limits.max_diagonal == INF) return bounds;
+  const double lattice = lattice_diagonal(kernel, d) / (d * d);
+  bounds.max_diagonal = -limits.min_diagonal * lattice;
+  bounds.min_diagonal = -limits.max_diagonal * lattice;
+  return bounds;
+}
+
 void LaplacianWeights::build(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                             const Kernel &kernel, double d, const LaplacianLimits &limits,
-                             const Role *role)
+                             const LaplacianBounds &bounds, const Role *role)
 {
   a_.resize(s.pairs());
   diagonal_.assign(s.rows(), 0.0);
   condition_.assign(s.rows(), 0.0);
   morris_.assign(s.rows(), 0);
-  const Thresholds t = thresholds(limits, kernel, d);
   const Target out = {a_.data(), diagonal_.data(), condition_.data(), morris_.data()};
-  count_ = s.dim() == 2 ? RowBuilder<2>(s, g, t, role, out).build(rows)
-                        : RowBuilder<3>(s, g, t, role, out).build(rows);
+  count_ = s.dim() == 2 ? RowBuilder<2>(s, g, bounds, role, out).build(rows)
+                        : RowBuilder<3>(s, g, bounds, role, out).build(rows);
 }
 
 double LaplacianWeights::bytes() const
@@ -175,10 +168,11 @@ double LaplacianWeights::bytes() const
   return held(a_) + held(diagonal_) + held(condition_) + held(morris_);
 }
 
-void laplacian(const Stencil &s, const LaplacianWeights &w, const Rows &rows, const double *v,
-               const Role *role, double *out)
+void laplacian(const Cloud &cloud, const Rows &rows, const double *v, double *out)
 {
-  const double *const a = w.a();
+  const Stencil &s = cloud.stencil();
+  const Role *const role = cloud.role();
+  const double *const a = cloud.laplacian().a();
   const int *const col = s.col();
   for (const int i : rows) {
     double sum[3] = {};

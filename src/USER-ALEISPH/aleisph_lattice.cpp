@@ -52,7 +52,7 @@ class LatticeRow {
   {
     GradientWeights g;
     g.build(stencil_, std::pow(d, kernel.dim()));
-    laplacian_.build(stencil_, g, {0}, kernel, d, NO_LIMITS);
+    laplacian_.build(stencil_, g, {0}, laplacian_bounds(NO_LIMITS, kernel, d));
   }
 
   double diagonal() const { return laplacian_.diagonal(0); }

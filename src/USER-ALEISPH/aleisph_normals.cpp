@@ -2,6 +2,8 @@
 
 #include "aleisph_normals.h"
 
+#include "aleisph_wall_fan.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -152,10 +154,10 @@ bool take_mean(const WallFan::Mean &mean, Found &found)
   return true;
 }
 
-Found find(const Wall &wall, int i, const FanParams &params, const Vec3 &previous)
+Found find(const Wall &wall, int i, const Vec3 &previous)
 {
   Found found;
-  const WallFan fan(wall.s, wall.role, i, wall.d, params);
+  const WallFan fan(wall.s, wall.role, i, wall.d, FanParams());
   const int side = find_side(wall, i, fan, previous);
   if (side == WallFan::NONE && fan.sides() > 0) return found;
   if (side != WallFan::NONE) found.around = fan.boundary(side);
@@ -182,20 +184,20 @@ bool contradicts(const Wall &wall, const Found &found)
 
 }    // namespace
 
-NormalCount wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d,
-                         const FanParams &params, const double *previous, double *normal,
-                         double *shape, std::vector<NormalStatus> &status)
+NormalCount wall_normals(const Stencil &walls, const Rows &rows, const double *previous,
+                         Cloud &cloud, std::vector<NormalStatus> &status)
 {
-  const Wall wall{s, role, d, normal, shape};
+  double *const normal = cloud.normal();
+  const Wall wall{walls, cloud.role(), cloud.spacing(), normal, cloud.shape()};
   std::vector<Found> found;
   for (const int i : rows)
-    found.push_back(find(wall, i, params, previous ? at(previous, i) : Vec3::Zero()));
+    found.push_back(find(wall, i, previous ? at(previous, i) : Vec3::Zero()));
 
   NormalCount count;
   for (size_t m = 0; m < rows.size(); m++) {
     const int i = rows[m];
     for (int a = 0; a < 3; a++) normal[3 * i + a] = found[m].n[a];
-    shape[i] = found[m].shape;
+    cloud.shape()[i] = found[m].shape;
     status[i] = found[m].status;
     count.found += found[m].status != NormalStatus::UNKNOWN;
     count.fallback += found[m].status == NormalStatus::FLUID;
@@ -205,14 +207,14 @@ NormalCount wall_normals(const Stencil &s, const Rows &rows, const Role *role, d
   return count;
 }
 
-void wall_shapes(const Stencil &s, const Rows &rows, const Role *role, double d,
-                 const FanParams &params, const double *normal, double *shape)
+void wall_shapes(const Stencil &walls, const Rows &rows, Cloud &cloud)
 {
   for (const int i : rows) {
-    const WallFan fan(s, role, i, d, params);
-    const int side = fan.side_of(at(normal, i));
+    const WallFan fan(walls, cloud.role(), i, cloud.spacing(), FanParams());
+    const int side = fan.side_of(at(cloud.normal(), i));
     Found found;
-    shape[i] = side != WallFan::NONE && take_mean(fan.mean(side), found) ? found.shape : 1.0;
+    cloud.shape()[i] = side != WallFan::NONE && take_mean(fan.mean(side), found) ? found.shape
+                                                                                 : 1.0;
   }
 }
 

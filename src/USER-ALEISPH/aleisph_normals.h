@@ -23,8 +23,7 @@
 #ifndef LMP_ALEISPH_NORMALS_H
 #define LMP_ALEISPH_NORMALS_H
 
-#include "aleisph_operators.h"
-#include "aleisph_wall_fan.h"
+#include "aleisph_cloud.h"
 
 namespace aleisph {
 
@@ -40,18 +39,16 @@ struct NormalCount {
   Rows contradictory;
 };
 
-// normal: 3 per particle, shape: 1 per particle, owned and ghost, on wall particles; zero where
-// not known. Both are set for the owned rows listed (all WALL); neighbours count as they were on
-// entry, so that the order of rows has no influence. status: per owned particle, set on these rows.
-// previous: 3 per owned particle, zero if there is none; or null. Where it is the same as the new
-// normal up to rounding, it is kept to the bit. d: particle spacing.
-NormalCount wall_normals(const Stencil &s, const Rows &rows, const Role *role, double d,
-                         const FanParams &params, const double *previous, double *normal,
-                         double *shape, std::vector<NormalStatus> &status);
+// walls: rows of all wall particles with all their neighbours, also dry ones. Normal and shape of
+// the cloud are set for the owned rows listed (all WALL); neighbours, owned and ghost, count as they
+// were on entry (zero where not known), so that the order of rows has no influence. status: per owned
+// particle, set on these rows. previous: 3 per owned particle, zero if there is none; or null. Where
+// it is the same as the new normal up to rounding, it is kept to the bit.
+NormalCount wall_normals(const Stencil &walls, const Rows &rows, const double *previous,
+                         Cloud &cloud, std::vector<NormalStatus> &status);
 
 // the shape on these rows where the normals are given
-void wall_shapes(const Stencil &s, const Rows &rows, const Role *role, double d,
-                 const FanParams &params, const double *normal, double *shape);
+void wall_shapes(const Stencil &walls, const Rows &rows, Cloud &cloud);
 
 }    // namespace aleisph
 #endif

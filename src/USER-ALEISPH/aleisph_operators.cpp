@@ -8,6 +8,7 @@
 
 #include "aleisph_operators.h"
 
+#include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
@@ -46,9 +47,11 @@ inline Mat<3> in_space(const Eigen::Matrix<double, 3, D> &sum, const Mat<D> &cor
 // Sums over the pairs of a row
 template <int D> class KernelSums {
  public:
-  explicit KernelSums(const Stencil &s) : s_(s), col_(s.col()), dw_(s.dw())
+  explicit KernelSums(const Cloud &cloud) :
+      s_(cloud.stencil()), role_(cloud.role()), normal_(cloud.normal()), col_(s_.col()),
+      dw_(s_.dw())
   {
-    for (int b = 0; b < D; b++) e_[b] = s.e(b);
+    for (int b = 0; b < D; b++) e_[b] = s_.e(b);
   }
 
   static constexpr int DIM = D;
@@ -74,9 +77,19 @@ template <int D> class KernelSums {
 
   // sum_j (v_j - v_i) (x) dW/dr e_ij of the first C components of v. Of a slip wall only the
   // normal part of v_j - v_i counts, as its tangential part follows the fluid.
-  template <int C>
-  Eigen::Matrix<double, C, D> vector(int i, const double *v, const Role *role,
-                                     const double *normal) const
+  template <int C> Eigen::Matrix<double, C, D> vector(int i, const double *v) const
+  {
+    return pairs<C, true>(i, v);
+  }
+
+  // the same without slip
+  Eigen::Matrix<double, 3, D> vector_of_all(int i, const double *v) const
+  {
+    return pairs<3, false>(i, v);
+  }
+
+ private:
+  template <int C, bool SLIPS> Eigen::Matrix<double, C, D> pairs(int i, const double *v) const
   {
     double sum[C][D] = {};
     const double *const v_i = v + 3 * i;
@@ -84,7 +97,7 @@ template <int D> class KernelSums {
       const int j = col_[k];
       double dv[C];
       for (int a = 0; a < C; a++) dv[a] = v[3 * j + a] - v_i[a];
-      if (normal && (role[j] & SLIP)) keep_normal_part<C>(normal + 3 * j, dv);
+      if (SLIPS && (role_[j] & SLIP)) keep_normal_part<C>(normal_ + 3 * j, dv);
       for (int b = 0; b < D; b++) {
         const double weight = dw_[k] * e_[b][k];
         for (int a = 0; a < C; a++) sum[a][b] += dv[a] * weight;
@@ -96,7 +109,6 @@ template <int D> class KernelSums {
     return total;
   }
 
- private:
   template <int C> static void keep_normal_part(const double *n, double *dv)
   {
     double part = 0.0;
@@ -105,72 +117,73 @@ template <int D> class KernelSums {
   }
 
   const Stencil &s_;
+  const Role *role_;
+  const double *normal_;
   const int *col_;
   const double *dw_;
   std::array<const double *, D> e_;
 };
 
 // calls function with the sums of this dimension, so that a loop over rows decides once
-template <class Function> void with_sums(const Stencil &s, Function function)
+template <class Function> void with_sums(const Cloud &cloud, Function function)
 {
-  if (s.dim() == 2)
-    function(KernelSums<2>(s));
+  if (cloud.dim() == 2)
+    function(KernelSums<2>(cloud));
   else
-    function(KernelSums<3>(s));
+    function(KernelSums<3>(cloud));
 }
 
 }    // namespace
 
-void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *f,
-              double *grad)
+void gradient(const Cloud &cloud, const Rows &rows, const double *f, double *grad)
 {
-  with_sums(s, [&](const auto &sums) {
+  const GradientWeights &g = cloud.gradient();
+  with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows) store<D>(correction<D>(g, i) * sums.scalar(i, f), grad, i);
   });
 }
 
-void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
-                const Role *role, const double *normal, double *div)
+void divergence(const Cloud &cloud, const Rows &rows, const double *v, double *div)
 {
-  with_sums(s, [&](const auto &sums) {
+  const GradientWeights &g = cloud.gradient();
+  with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows)
-      div[i] = sums.template vector<D>(i, v, role, normal).cwiseProduct(correction<D>(g, i)).sum();
+      div[i] = sums.template vector<D>(i, v).cwiseProduct(correction<D>(g, i)).sum();
   });
 }
 
-void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *c,
-                const double *v, const Role *role, const double *normal, double *out)
+void convection(const Cloud &cloud, const Rows &rows, const double *c, const double *v, double *out)
 {
-  with_sums(s, [&](const auto &sums) {
+  const GradientWeights &g = cloud.gradient();
+  with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows) {
       const Vec<D> weight = correction<D>(g, i) * Eigen::Map<const Vec<D>>(c + 3 * i);
-      store<3>(sums.template vector<3>(i, v, role, normal) * weight, out, i);
+      store<3>(sums.template vector<3>(i, v) * weight, out, i);
     }
   });
 }
 
-void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                       const double *v, const Role *role, const double *normal, double *out)
+void velocity_gradient(const Cloud &cloud, const Rows &rows, const double *v, double *out)
 {
-  with_sums(s, [&](const auto &sums) {
+  const GradientWeights &g = cloud.gradient();
+  with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows)
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) = in_space<D>(
-          sums.template vector<3>(i, v, role, normal), correction<D>(g, i));
+          sums.template vector<3>(i, v), correction<D>(g, i));
   });
 }
 
-void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
-          double *out)
+void curl(const Cloud &cloud, const Rows &rows, const double *v, double *out)
 {
-  with_sums(s, [&](const auto &sums) {
+  const GradientWeights &g = cloud.gradient();
+  with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for (const int i : rows) {
-      const Mat<3> grad = in_space<D>(sums.template vector<3>(i, v, nullptr, nullptr),
-                                      correction<D>(g, i));
+      const Mat<3> grad = in_space<D>(sums.vector_of_all(i, v), correction<D>(g, i));
       store<3>(Vec<3>(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)),
                out, i);
     }

@@ -24,6 +24,8 @@
 
 namespace aleisph {
 
+class Cloud;
+
 using Rows = std::vector<int>;
 
 /* ----------------------------------------------------------------------
@@ -78,6 +80,15 @@ struct LaplacianLimits {
   double eta = 0.01;
 };
 
+// LaplacianLimits in the units of the rows
+struct LaplacianBounds {
+  double min_lambda, max_cond;
+  double min_diagonal, max_diagonal;    // of sum_j a_ij [1/length^2]
+  double eta_h2;                        // [length^2]
+};
+// kernel: the one of the stencil (Morris' eta h^2, value on the full lattice); d: particle spacing
+LaplacianBounds laplacian_bounds(const LaplacianLimits &limits, const Kernel &kernel, double d);
+
 struct MorrisCount {
   int lambda = 0, condition = 0, diagonal = 0, surface = 0;
   // untrusted rows, so without the surface
@@ -86,11 +97,9 @@ struct MorrisCount {
 
 class LaplacianWeights {
  public:
-  // builds the rows listed; a() of other rows is not written. kernel: the one of the
-  // stencil (Morris' eta h^2, value on the full lattice), d: particle spacing;
-  // role: read for SURFACE, may be null.
-  void build(const Stencil &s, const GradientWeights &g, const Rows &rows, const Kernel &kernel,
-             double d, const LaplacianLimits &limits, const Role *role = nullptr);
+  // builds the rows listed; a() of other rows is not written. role: read for SURFACE, may be null
+  void build(const Stencil &s, const GradientWeights &g, const Rows &rows,
+             const LaplacianBounds &bounds, const Role *role = nullptr);
 
   const double *a() const { return a_.data(); }    // pair array [1/length^2]
   // exchanges the pair array of a() for another one, whose memory the next build uses
@@ -110,31 +119,25 @@ class LaplacianWeights {
 };
 
 // grad[3*i+a] = (grad f)_i
-void gradient(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *f,
-              double *grad);
+void gradient(const Cloud &cloud, const Rows &rows, const double *f, double *grad);
 
 // div[i] = (div v)_i. For a slip wall neighbour j only the normal part of
-// v_j - v_i counts: the tangential part follows the fluid. normal: 3 doubles
-// per particle, read where role has SLIP; may be null if there is none.
-void divergence(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
-                const Role *role, const double *normal, double *div);
+// v_j - v_i counts: the tangential part follows the fluid.
+void divergence(const Cloud &cloud, const Rows &rows, const double *v, double *div);
 
 // out[3*i+a] = (c_i . grad) v_a, slip walls as in divergence()
-void convection(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *c,
-                const double *v, const Role *role, const double *normal, double *out);
+void convection(const Cloud &cloud, const Rows &rows, const double *c, const double *v,
+                double *out);
 
 // out[9*i+3*a+b] = d v_a/d x_b, slip walls as in divergence()
-void velocity_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                       const double *v, const Role *role, const double *normal, double *out);
+void velocity_gradient(const Cloud &cloud, const Rows &rows, const double *v, double *out);
 
 // out[3*i+a] = (lap v_a)_i, neighbours with role SLIP left out (v_j := v_i)
-void laplacian(const Stencil &s, const LaplacianWeights &w, const Rows &rows, const double *v,
-               const Role *role, double *out);
+void laplacian(const Cloud &cloud, const Rows &rows, const double *v, double *out);
 
 // out[3*i+a] = (curl v)_i; in 2d only the z component is non-zero if v lies
 // in the plane, and the curl of a z-vector lies in the plane
-void curl(const Stencil &s, const GradientWeights &g, const Rows &rows, const double *v,
-          double *out);
+void curl(const Cloud &cloud, const Rows &rows, const double *v, double *out);
 
 }    // namespace aleisph
 #endif

@@ -2,6 +2,7 @@
 
 #include "aleisph_ppe.h"
 
+#include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
 
 #include <cmath>
@@ -17,10 +18,12 @@ void fluid_row(const Stencil &s, int i, double d, CsrMatrix &A)
 }
 
 // of length n.grad: -d for a wall; the offset of a free surface, a row that p_i is added to
-void normal_row(const Stencil &s, const GradientWeights &g, const double *normal, int i,
-                double length, CsrMatrix &A)
+void normal_row(const Cloud &cloud, int i, double length, CsrMatrix &A)
 {
-  const Eigen::Vector3d n_L = length * g.volume() * (packed_matrix(g.inverse(), i) * at(normal, i));
+  const Stencil &s = cloud.stencil();
+  const GradientWeights &g = cloud.gradient();
+  const Eigen::Vector3d n_L = length * g.volume() *
+      (packed_matrix(g.inverse(), i) * at(cloud.normal(), i));
   for (int k = s.begin(i); k < s.end(i); k++) A.val(k) = s.dw()[k] * n_L.dot(direction(s, k));
 }
 
@@ -48,11 +51,11 @@ bool too_few_fluid(const Stencil &s, const Role *role, int i, int needed)
 }
 
 // A NaN is not singular: it must reach the solver, which reports it.
-bool singular_wall(const Stencil &s, const GradientWeights &g, const Role *role, int i,
-                   double diagonal, const PpeOptions &options)
+bool singular_wall(const Cloud &cloud, int i, double diagonal, const PpeOptions &options)
 {
-  return std::fabs(diagonal) < MIN_WALL_DIAGONAL || g.lambda(i) < options.min_wall_lambda ||
-      too_few_fluid(s, role, i, options.min_wall_fluid);
+  return std::fabs(diagonal) < MIN_WALL_DIAGONAL ||
+      cloud.gradient().lambda(i) < options.min_wall_lambda ||
+      too_few_fluid(cloud.stencil(), cloud.role(), i, options.min_wall_fluid);
 }
 
 void count(RowType type, PpeRows &rows)
@@ -66,19 +69,21 @@ void count(RowType type, PpeRows &rows)
 
 }    // namespace
 
-PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<double> &&laplacian,
-                     const Role *role, const double *normal, double d, CsrMatrix &A,
-                     std::vector<RowType> &type, const PpeOptions &options)
+PpeRows assemble_ppe(const Cloud &cloud, std::vector<double> &&laplacian, const PpeOptions &options,
+                     CsrMatrix &A, std::vector<RowType> &type)
 {
+  const Stencil &s = cloud.stencil();
+  const Role *const role = cloud.role();
+  const double d = cloud.spacing();
   PpeRows rows;
   A.reset(s.rows(), s.ptr(), s.col(), std::move(laplacian));
   type.resize(s.rows());
   for (int i = 0; i < s.rows(); i++) {
     type[i] = wanted_type(role[i]);
     if (type[i] == RowType::FLUID) fluid_row(s, i, d, A);
-    if (type[i] == RowType::WALL) normal_row(s, g, normal, i, -d, A);
+    if (type[i] == RowType::WALL) normal_row(cloud, i, -d, A);
     if (type[i] == RowType::SURFACE)
-      normal_row(s, g, normal, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
+      normal_row(cloud, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
 
     const bool derivative = type[i] == RowType::FLUID || type[i] == RowType::WALL ||
         type[i] == RowType::SURFACE;
@@ -92,7 +97,7 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<dou
       identity_row(A, i);
 
     if ((type[i] == RowType::FLUID && diagonal == 0.0) ||
-        (type[i] == RowType::WALL && singular_wall(s, g, role, i, diagonal, options))) {
+        (type[i] == RowType::WALL && singular_wall(cloud, i, diagonal, options))) {
       type[i] = RowType::SINGULAR;
       identity_row(A, i);
     }
@@ -101,21 +106,22 @@ PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<dou
   return rows;
 }
 
-void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
-             const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
-             double *b, double p_surf, const double *tension)
+void ppe_rhs(const Cloud &cloud, const std::vector<RowType> &type, const PpeFields &fields,
+             double *b)
 {
+  const double d = cloud.spacing();
   const int n = static_cast<int>(type.size());
   for (int i = 0; i < n; i++) {
     b[i] = 0.0;
-    if (type[i] == RowType::FLUID) b[i] = -d * d * rho_over_dt * div[i];
-    if (type[i] == RowType::DIRICHLET) b[i] = p[i];
-    if (type[i] == RowType::SURFACE || type[i] == RowType::SINGULAR) b[i] = p_surf;
-    if (tension && type[i] == RowType::SURFACE) b[i] += tension[i];
+    if (type[i] == RowType::FLUID) b[i] = -d * d * fields.rho_over_dt * fields.div[i];
+    if (type[i] == RowType::DIRICHLET) b[i] = fields.p[i];
+    if (type[i] == RowType::SURFACE || type[i] == RowType::SINGULAR) b[i] = fields.p_surf;
+    if (fields.tension && type[i] == RowType::SURFACE) b[i] += fields.tension[i];
     if (type[i] == RowType::WALL) {
       double v_n = 0.0;
-      for (int a = 0; a < 3; a++) v_n += (vstar[3 * i + a] - vwall[3 * i + a]) * normal[3 * i + a];
-      b[i] = -d * rho_over_dt * v_n;
+      for (int k = 3 * i; k < 3 * i + 3; k++)
+        v_n += (fields.vstar[k] - fields.vwall[k]) * cloud.normal()[k];
+      b[i] = -d * fields.rho_over_dt * v_n;
     }
   }
 }

@@ -39,19 +39,24 @@ struct PpeOptions {
 
 constexpr double MIN_WALL_DIAGONAL = 0.1;
 
-// role: owned and ghost; normal: 3 doubles per particle, read on wall and surface rows.
 // laplacian: pair array of a_ij of the fluid rows; its memory becomes that of the matrix.
 // type: one entry per owned row, written.
-PpeRows assemble_ppe(const Stencil &s, const GradientWeights &g, std::vector<double> &&laplacian,
-                     const Role *role, const double *normal, double d, CsrMatrix &A,
-                     std::vector<RowType> &type, const PpeOptions &options = PpeOptions());
+PpeRows assemble_ppe(const Cloud &cloud, std::vector<double> &&laplacian, const PpeOptions &options,
+                     CsrMatrix &A, std::vector<RowType> &type);
 
-// vstar: v* on fluid and wall; vwall: wall velocity v_wall on wall rows (3 doubles
-// per particle); div: (div v*) on fluid rows; p: prescribed on dirichlet rows;
-// p_surf: on surface and singular rows; tension: added on surface rows, null if there is none.
-void ppe_rhs(const std::vector<RowType> &type, const double *normal, const double *vstar,
-             const double *vwall, const double *div, const double *p, double d, double rho_over_dt,
-             double *b, double p_surf = 0.0, const double *tension = nullptr);
+// What the right-hand side is made of; owned particles
+struct PpeFields {
+  double rho_over_dt = 0.0;
+  const double *vstar = nullptr;      // v* on fluid and wall, 3 per particle
+  const double *vwall = nullptr;      // velocity of the wall on wall rows, 3 per particle
+  const double *div = nullptr;        // div v* on fluid rows
+  const double *p = nullptr;          // prescribed, on dirichlet rows
+  double p_surf = 0.0;                // on surface and singular rows
+  const double *tension = nullptr;    // added on surface rows; null if there is none
+};
+
+void ppe_rhs(const Cloud &cloud, const std::vector<RowType> &type, const PpeFields &fields,
+             double *b);
 
 }    // namespace aleisph
 #endif

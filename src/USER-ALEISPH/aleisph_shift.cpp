@@ -7,8 +7,8 @@
 
 #include "aleisph_shift.h"
 
+#include "aleisph_cloud.h"
 #include "aleisph_images.h"
-#include "aleisph_seen.h"
 #include "aleisph_surface_shape.h"
 #include "aleisph_vectors.h"
 
@@ -36,6 +36,14 @@ inline Vec tangential(const Vec &v, const Vec &n)
 }
 
 struct Scene {
+  Scene(const Cloud &of, const ShiftParams &with) :
+      cloud(of), s(of.stencil()), kernel(of.kernel()), role(of.role()), normal(of.normal()),
+      volume(of.volume()), d(of.spacing()), params(with), neighbours(of.neighbours())
+  {
+  }
+  bool on_surface(int i) const { return role[i] & SURFACE; }
+
+  const Cloud &cloud;
   const Stencil &s;
   const Kernel &kernel;
   const Role *role;
@@ -43,8 +51,6 @@ struct Scene {
   double volume, d;
   const ShiftParams &params;
   SeenRoles neighbours;
-
-  bool on_surface(int i) const { return role[i] & SURFACE; }
 };
 
 /* ---------------------------------------------------------------------- */
@@ -121,8 +127,7 @@ class DensityShift {
 class ConcentrationShift {
  public:
   ConcentrationShift(const Scene &scene, const double *v) :
-      c_(scene), v_(v),
-      images_(scene.s, scene.role, scene.normal, scene.d, scene.kernel.support(), false),
+      c_(scene), v_(v), images_(scene.cloud, false),
       diffusion_(scene.params.coefficient * scene.kernel.h() * scene.kernel.h()),
       w_d_(scene.kernel.w(scene.d)), reach_(nearest_reach(scene.s.dim(), scene.d))
   {
@@ -207,12 +212,11 @@ Vec away_from_wall(const Scene &c, int i)
   return std::min(c.params.wall_distance * c.d - closest, c.params.wall_step * c.d) * n;
 }
 
-template <class Model>
-ShiftCount shift_rows(const Scene &c, const Rows &fluid, Model model, double *dr)
+template <class Model> ShiftCount shift_rows(const Scene &c, Model model, double *dr)
 {
   const double most = c.params.limit * c.d;
   ShiftCount count;
-  for (const int i : fluid) {
+  for (const int i : c.cloud.fluid()) {
     Vec step = Vec::Zero();
     if (!(c.role[i] & BALLISTIC)) step = model(i);
     if (c.params.wall_step > 0.0 && c.neighbours.any(i, WALL)) step += away_from_wall(c, i);
@@ -233,22 +237,20 @@ inline Vec apply(const double *gradient, const Vec &r)
 
 }    // namespace
 
-ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &fluid,
-                         const Role *role, const double *normal, const double *eps, const double *v,
-                         double volume, double d, const ShiftParams &params, double *dr,
-                         const Role *seen)
+ShiftCount compute_shift(const Cloud &cloud, const ShiftParams &params, const double *eps,
+                         const double *v, double *dr)
 {
-  const Scene scene = {s, kernel, role, normal, volume, d, params, SeenRoles(s, role, seen)};
-  if (params.model == ShiftModel::DENSITY)
-    return shift_rows(scene, fluid, DensityShift(scene, eps), dr);
-  return shift_rows(scene, fluid, ConcentrationShift(scene, v), dr);
+  const Scene scene(cloud, params);
+  if (params.model == ShiftModel::DENSITY) return shift_rows(scene, DensityShift(scene, eps), dr);
+  return shift_rows(scene, ConcentrationShift(scene, v), dr);
 }
 
-void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid,
-                             const Role *role, const double *v, const double *grad_v, double volume,
-                             double *out)
+void surface_velocity_filter(const Cloud &cloud, const Rows &rows, const double *v,
+                             const double *grad_v, double *out)
 {
-  for (const int i : fluid) {
+  const Stencil &s = cloud.stencil();
+  const Role *const role = cloud.role();
+  for (const int i : rows) {
     Vec sum = Vec::Zero();
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
@@ -256,7 +258,7 @@ void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows 
       if (!((role[i] | role[j]) & SURFACE)) continue;
       const Vec half = 0.5 * s.r()[k] * direction(s, k);
       const Vec linear = apply(grad_v + 9 * i, half) + apply(grad_v + 9 * j, half);
-      sum += volume * kernel.w(s.r()[k]) * (at(v, j) - at(v, i) + linear);
+      sum += cloud.volume() * cloud.kernel().w(s.r()[k]) * (at(v, j) - at(v, i) + linear);
     }
     put(sum, out, i);
   }

@@ -74,32 +74,26 @@ DensityScale density_scale(const Kernel &kernel, double d, double reach);
 // |r_ij| < this: the nearest neighbours S*
 double nearest_reach(int dim, double d);
 
-// eps_i of the owned fluid rows listed; eps of other particles is not written. role, normal: owned
-// and ghost. curvature: K of owned particles on the surface if it is known (with surface tension);
-// without it the shift shrinks a ball of radius R = 6 d by 2 % of its volume. seen: table of
-// SeenRoles, or null.
-void density_deviation(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                       const double *normal, double volume, double d, bool published, double *eps,
-                       const double *curvature = nullptr, const Role *seen = nullptr);
+// eps_i of the fluid rows; eps of other particles is not written. curvature: K of owned particles on
+// the surface if it is known (with surface tension); without it the shift shrinks a ball of radius
+// R = 6 d by 2 % of its volume.
+void density_deviation(const Cloud &cloud, bool published, double *eps,
+                       const double *curvature = nullptr);
 
-// dr of the owned fluid rows listed (3 per particle); zero on ballistic ones, which count as
-// neighbours all the same. A wall or buffer neighbour has the deviation of the particle itself:
-// its own would draw the fluid into the wall. eps, normal, role: owned and ghost; eps is read by
-// the density model only, v (owned) by tvf only; what is not read may be null. seen: table of
-// SeenRoles, or null.
-ShiftCount compute_shift(const Stencil &s, const Kernel &kernel, const Rows &fluid,
-                         const Role *role, const double *normal, const double *eps, const double *v,
-                         double volume, double d, const ShiftParams &params, double *dr,
-                         const Role *seen = nullptr);
+// dr of the fluid rows (3 per particle); zero on ballistic ones, which count as neighbours all the
+// same. A wall or buffer neighbour has the deviation of the particle itself: its own would draw the
+// fluid into the wall. eps (owned and ghost) is read by the density model only, v (owned) by tvf
+// only; what is not read may be null.
+ShiftCount compute_shift(const Cloud &cloud, const ShiftParams &params, const double *eps,
+                         const double *v, double *dr);
 
 // The velocity filter of the accurate density model: acceleration-like sum
 //   out_i = sum_j V W_ij (v_j - v_i + (grad v_i + grad v_j).r_ij/2)
 // over fluid pairs with a member on the surface and none ballistic. It conserves momentum, and
 // vanishes where v is linear (quadratic, if grad_v is exact). The caller scales it.
 // grad_v[9*i+3*a+b] = d v_a/d x_b, owned and ghost. out is written on the rows listed.
-void surface_velocity_filter(const Stencil &s, const Kernel &kernel, const Rows &fluid,
-                             const Role *role, const double *v, const double *grad_v, double volume,
-                             double *out);
+void surface_velocity_filter(const Cloud &cloud, const Rows &rows, const double *v,
+                             const double *grad_v, double *out);
 
 }    // namespace aleisph
 #endif

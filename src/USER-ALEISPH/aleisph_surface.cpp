@@ -6,6 +6,7 @@
 
 #include "aleisph_surface.h"
 
+#include "aleisph_cloud.h"
 #include "aleisph_wall_cone.h"
 
 #include <Eigen/Dense>
@@ -53,11 +54,10 @@ const Directions &fibonacci_directions()
 ------------------------------------------------------------------------- */
 class AllRoundTest {
  public:
-  AllRoundTest(const Stencil &s, const Role *role, const double *normal, double d, double reach,
-               double half_angle) :
-      s_(s),
-      role_(role), normal_(normal), d_(d), reach_(reach), half_angle_(half_angle),
-      cosine_(std::cos(half_angle)), directions_(fibonacci_directions())
+  AllRoundTest(const Cloud &cloud, double reach, double half_angle) :
+      s_(cloud.stencil()), role_(cloud.role()), normal_(cloud.normal()), d_(cloud.spacing()),
+      reach_(reach), half_angle_(half_angle), cosine_(std::cos(half_angle)),
+      directions_(fibonacci_directions())
   {
   }
 
@@ -153,14 +153,18 @@ int fluid_neighbours(const Stencil &s, const Role *role, int i)
 
 }    // namespace
 
-SurfaceCount detect_surface(const Stencil &s, const GradientWeights &g, const Rows &fluid, double d,
-                            const SurfaceParams &params, Role *role, double *normal)
+SurfaceCount detect_surface(Cloud &cloud, const SurfaceParams &params)
 {
+  const Stencil &s = cloud.stencil();
+  const GradientWeights &g = cloud.gradient();
+  const double d = cloud.spacing();
+  Role *const role = cloud.role();
+  double *const normal = cloud.normal();
   const int least = params.min_neighbours > 0 ? params.min_neighbours : s.dim() + 1;
-  AllRoundTest test(s, role, normal, d, params.reach * d, params.half_angle * DEGREE);
+  AllRoundTest test(cloud, params.reach * d, params.half_angle * DEGREE);
   SurfaceNormal outward(s, role, params.wall_reach * d);
   SurfaceCount count;
-  for (int i : fluid) {
+  for (int i : cloud.fluid()) {
     const bool ballistic = fluid_neighbours(s, role, i) < least;
     const bool surface = ballistic || (g.lambda(i) < params.max_lambda && test.open(i));
     if (ballistic) role[i] |= BALLISTIC;
@@ -169,6 +173,7 @@ SurfaceCount detect_surface(const Stencil &s, const GradientWeights &g, const Ro
     count.surface += surface;
     Eigen::Map<Vec3>(normal + 3 * i) = surface ? outward.at(i, normal) : Vec3(Vec3::Zero());
   }
+  cloud.roles_changed();
   return count;
 }
 

@@ -40,11 +40,11 @@ struct SurfaceCount {
   int surface = 0, ballistic = 0;    // ballistic particles are counted in both
 };
 
-// Adds SURFACE and BALLISTIC to role[i] of the owned fluid rows listed (the caller clears them
-// before) and writes their normal: N where SURFACE (zero if it has no direction), zero elsewhere.
-// role: owned and ghost, read for FLUID and WALL; normal: 3 per particle, read on walls.
-SurfaceCount detect_surface(const Stencil &s, const GradientWeights &g, const Rows &fluid, double d,
-                            const SurfaceParams &params, Role *role, double *normal);
+// Adds SURFACE and BALLISTIC to the roles of the fluid rows (the caller clears them before) and
+// writes their normals: N where SURFACE (zero if it has no direction), zero elsewhere. Reads the
+// roles FLUID and WALL and the normals of walls, owned and ghost; those of ghosts must be
+// exchanged afterwards.
+SurfaceCount detect_surface(Cloud &cloud, const SurfaceParams &params);
 
 }    // namespace aleisph
 #endif

@@ -95,7 +95,7 @@ void ComputeAleisphAtom::fill(Field field, double *out, int stride)
 // 0 elsewhere, 1 on the free surface, 2 ballistic, 3 dry wall
 double ComputeAleisphAtom::surface_kind(int i) const
 {
-  const aleisph::Role role = owner_->role()[i];
+  const aleisph::Role role = owner_->cloud().role()[i];
   if (role & aleisph::DRY) return 3.0;
   if (role & aleisph::BALLISTIC) return 2.0;
   return role & aleisph::SURFACE ? 1.0 : 0.0;
@@ -107,8 +107,7 @@ std::vector<double> ComputeAleisphAtom::density() const
 {
   const auto &cloud = owner_->cloud();
   std::vector<double> rho(atom->nlocal, 0.0);
-  aleisph::density_deviation(cloud.stencil(), cloud.kernel(), cloud.fluid(), owner_->role(),
-                             owner_->normal(), cloud.volume(), cloud.spacing(), true, rho.data());
+  aleisph::density_deviation(cloud, true, rho.data());
   for (const int i : cloud.fluid()) rho[i] += 1.0;
   return rho;
 }
@@ -119,8 +118,7 @@ std::vector<double> ComputeAleisphAtom::divergence() const
   double *v = owner_->velocity();
   owner_->forward(v, 3);
   std::vector<double> div(atom->nlocal, 0.0);
-  aleisph::divergence(cloud.stencil(), cloud.gradient(), cloud.fluid(), v, owner_->role(),
-                      owner_->normal(), div.data());
+  aleisph::divergence(cloud, cloud.fluid(), v, div.data());
   return div;
 }
 
@@ -132,9 +130,9 @@ double ComputeAleisphAtom::value(Field field, int i)
     case Field::P: return owner_->pressure()[i];
     case Field::LAMBDA: return cloud.gradient().lambda(i);
     case Field::COND: return cloud.laplacian_rows().condition(i);
-    case Field::NX: return owner_->normal()[3 * i];
-    case Field::NY: return owner_->normal()[3 * i + 1];
-    case Field::NZ: return owner_->normal()[3 * i + 2];
+    case Field::NX: return cloud.normal()[3 * i];
+    case Field::NY: return cloud.normal()[3 * i + 1];
+    case Field::NZ: return cloud.normal()[3 * i + 2];
     case Field::NNEIGH: return s.end(i) - s.begin(i);
     case Field::SURFACE: return surface_kind(i);
     case Field::UX:

@@ -79,8 +79,8 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
     list_(nullptr), pressure_guard_(nullptr), velocity_guard_(nullptr), tension_(nullptr), nu_(0.0),
     reach_(0.0), moving_(false), adaptive_(false), pressure_valid_(false), walls_located_(false),
-    ndry_(0), own_cutoff_(0.0), version_(0), split_version_(-1), halo_field_(nullptr),
-    halo_ncomp_(0), packed_(nullptr)
+    ndry_(0), own_cutoff_(0.0), split_version_(-1), halo_field_(nullptr), halo_ncomp_(0),
+    packed_(nullptr)
 {
   parse(narg, arg);
 
@@ -229,11 +229,6 @@ double FixAleisph::particle_mass() const
   return fluid_.rho0 * cloud_->volume();
 }
 
-int FixAleisph::nall() const
-{
-  return atom->nlocal + atom->nghost;
-}
-
 double *FixAleisph::pressure()
 {
   int flag, cols;
@@ -255,7 +250,7 @@ double *FixAleisph::previous_wall_velocity()
 
 bool FixAleisph::ready() const
 {
-  return !any(version_ == 0 || cloud_->stencil().rows() != atom->nlocal);
+  return !any(cloud_->version() == 0 || cloud_->stencil().rows() != atom->nlocal);
 }
 
 double *FixAleisph::velocity()
@@ -372,10 +367,16 @@ void FixAleisph::pre_force(int)
   if (reneighbored || positions_changed()) rebuild();
 }
 
+// of the stencil: images of a particle are one column
+aleisph::CandidateList FixAleisph::candidates() const
+{
+  return {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()};
+}
+
 bool FixAleisph::positions_changed()
 {
   if (moving_) return true;
-  const std::size_t n = 3 * static_cast<std::size_t>(nall());
+  const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal + atom->nghost);
   return any(x_built_.size() != n ||
              (n && std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0));
 }
@@ -383,8 +384,7 @@ bool FixAleisph::positions_changed()
 void FixAleisph::rebuild()
 {
   assign_roles();
-  const int n = nall();
-  normal_.assign(3 * n, 0.0);
+  const int n = cloud_->size();
   vstar_.assign(3 * n, 0.0);
   row_types_.clear();
   restore_walls();
@@ -394,16 +394,13 @@ void FixAleisph::rebuild()
   refuse_roles(found);
   locate_walls(found[3]);
   mark_dry_walls();
-  cloud_->update(atom->nlocal, atom->x,
-                 {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()}, role_.data(),
-                 dry_rule());
+  cloud_->update(atom->x, candidates(), dry_rule());
   if (const long coincident = sum(cloud_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
   if (moving_ || n == 0)
     x_built_.clear();
   else
     x_built_.assign(&atom->x[0][0], &atom->x[0][0] + 3 * n);
-  version_++;
 }
 
 void FixAleisph::require_finite(const double *v, const std::string &caller,
@@ -420,12 +417,13 @@ void FixAleisph::require_finite(const double *v, const std::string &caller,
 
 void FixAleisph::assign_roles()
 {
-  const int n = nall();
+  const int n = atom->nlocal + atom->nghost;
   const int *mask = atom->mask;
-  role_.assign(n, 0);
+  cloud_->reset(atom->nlocal, n);
+  Role *role = cloud_->role();
   for (const auto &entry : role_groups_)
     for (int i = 0; i < n; i++)
-      if (mask[i] & entry.second) role_[i] |= entry.first;
+      if (mask[i] & entry.second) role[i] |= entry.first;
 }
 
 // the ID of an atom of this rank, if there is one, for each of three faults
@@ -433,7 +431,7 @@ void FixAleisph::wrong_roles(tagint *atoms) const
 {
   const int *mask = atom->mask;
   for (int i = 0; i < atom->nlocal; i++) {
-    const Role r = role_[i];
+    const Role r = cloud_->role()[i];
     if (!(mask[i] & groupbit) || !(r & (aleisph::FLUID | aleisph::WALL))) atoms[0] = atom->tag[i];
     if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) atoms[1] = atom->tag[i];
     if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) atoms[2] = atom->tag[i];
@@ -575,6 +573,5 @@ void FixAleisph::report_timing()
 
 double FixAleisph::memory_usage()
 {
-  return cloud_->bytes() + halo_->bytes() +
-      sizeof(double) * (normal_.size() + shape_.size() + vstar_.size() + x_built_.size());
+  return cloud_->bytes() + halo_->bytes() + sizeof(double) * (vstar_.size() + x_built_.size());
 }

@@ -178,30 +178,19 @@ class FixAleisph : public Fix {
   void set_moving() { moving_ = true; }
 
   // -- parameters
-  double spacing() const { return spacing_; }
   double rho0() const { return fluid_.rho0; }
   const aleisph::FluidProperties &fluid() const { return fluid_; }
   double particle_mass() const;
 
   // -- valid from pre_force on, until particles move or migrate
   aleisph::Cloud &cloud() { return *cloud_; }
-  bigint version() const { return version_; }    // changes with the positions
   bool ready() const;    // there is a stencil, and it is that of the present particles
-  const aleisph::Role *role() const { return role_.data(); }    // owned and ghost
-  // into the fluid on walls, outward on the free surface, else zero; 3 per particle, owned and ghost
-  double *normal() { return normal_.data(); }
-  // of wall particles, owned and ghost: 1 flat, > 1 concave (distance of the nearest fluid in
-  // spacings), < 1 convex; 0 if not known. Empty without walls.
-  double *wall_shape() { return shape_.data(); }
   // while normals are being found: those of the step before (3 per owned particle), zero if none
   const double *previous_normal() const { return previous_normal_.data(); }
   const AleisphTension *tension() const { return tension_; }    // null if there is none
   double viscosity() const { return nu_; }                      // kinematic, of the predictor
-  bool has_surface() const { return surface_.present; }
   const AleisphSurface &surface() const { return surface_; }
-  // roles that the free surface adds; the caller makes ghosts valid by forward_roles()
-  aleisph::Role *surface_role() { return role_.data(); }
-  void forward_roles();
+  void forward_roles();                        // of the cloud, to its ghosts
   int dry_walls() const { return ndry_; }      // of this rank
   double *vstar() { return vstar_.data(); }    // 3 per particle, owned and ghost
   double *pressure();                          // d_aleisph_p, owned and ghost
@@ -210,7 +199,6 @@ class FixAleisph : public Fix {
   // what the last PPE made of each owned particle; empty before the first assembly
   std::vector<aleisph::RowType> &row_types() { return row_types_; }
   bool moving() const { return moving_; }
-  int nall() const;
 
   // -- pressure has been solved for, or came from a restart file
   bool pressure_valid() const { return pressure_valid_; }
@@ -264,6 +252,7 @@ class FixAleisph : public Fix {
   void wrong_roles(tagint *atoms) const;
   void refuse_roles(const tagint *atoms) const;
   bool positions_changed();
+  aleisph::CandidateList candidates() const;
   void rebuild();
   void build_halo();
   void reduce_max(int n, tagint *values) const;
@@ -272,7 +261,6 @@ class FixAleisph : public Fix {
   bool walls_changed();
   void find_normals();
   void mark_dry_walls();
-  bool below_fluid(int i) const;
   bool dry_rule() const { return surface_.present && surface_.dry_reach > 0.0; }
   void report_timing();
   std::string report_traffic() const;
@@ -295,19 +283,17 @@ class FixAleisph : public Fix {
   bool moving_, adaptive_, pressure_valid_, walls_located_;
   int ndry_;
   double own_cutoff_;    // ghost cutoff that this fix has set, 0 if none
-  bigint version_;
 
   aleisph::Timers timers_;
   std::unique_ptr<aleisph::Cloud> cloud_;
   std::unique_ptr<aleisph::InnerProduct> inner_product_;
-  std::vector<aleisph::Role> role_;
-  std::vector<double> normal_, shape_, previous_normal_, vstar_, x_built_;
+  std::vector<double> previous_normal_, vstar_, x_built_;
   std::vector<aleisph::RowType> row_types_;
   AleisphTally tally_;
 
   std::unique_ptr<aleisph::HaloExchange> halo_;
   aleisph::RowSplit split_;
-  bigint split_version_;
+  long split_version_;
   double *halo_field_;
   int halo_ncomp_;
   const double *packed_;    // where the last message was packed

@@ -55,7 +55,7 @@ void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
 void FixAleisph::build_halo()
 {
   const int nlocal = atom->nlocal;
-  std::vector<double> source(2 * static_cast<std::size_t>(nall()));
+  std::vector<double> source(2 * static_cast<std::size_t>(nlocal + atom->nghost));
   for (int i = 0; i < nlocal; i++) {
     source[2 * i] = comm->me;
     source[2 * i + 1] = i;
@@ -91,10 +91,10 @@ void FixAleisph::count_messages(int messages, double bytes)
 
 const aleisph::RowSplit &FixAleisph::row_split()
 {
-  if (split_version_ == version_) return split_;
+  if (split_version_ == cloud_->version()) return split_;
   const auto &stencil = cloud_->stencil();
   split_ = aleisph::split_rows(stencil.rows(), stencil.ptr(), stencil.col(), halo_->remote());
-  split_version_ = version_;
+  split_version_ = cloud_->version();
   return split_;
 }
 

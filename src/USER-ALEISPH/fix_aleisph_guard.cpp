@@ -24,7 +24,6 @@ using aleisph::Part;
 namespace {
 
 constexpr char SHIFT[] = "aleisph_u";
-constexpr double CONVEX = 0.95;    // walls of a shape below are edges seen from outside
 
 }    // namespace
 
@@ -83,7 +82,7 @@ void FixAleisphGuard::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/guard");
   owner_->check_fluid_fix(this);
-  if (selfterm_ && !owner_->has_surface())
+  if (selfterm_ && !owner_->surface().present)
     error->all(FLERR, "Fix aleisph/guard: keyword selfterm needs a fix aleisph/surface");
   shifted_ = !modify->get_fix_by_style("^aleisph/shift$").empty();
   int flag, cols;
@@ -123,7 +122,7 @@ void FixAleisphGuard::guard_pressure(double *p, double *grad)
   if (limit_pressure_) limit_pressure(p, grad);
   if (!selfterm_ && symmetric_ == 0.0) return;
   // they contain the pressure itself: that above the pressure outside, which must not act
-  gauge_.assign(p, p + owner_->nall());
+  gauge_.assign(p, p + owner_->cloud().size());
   for (double &value : gauge_) value -= owner_->surface().pressure;
   if (selfterm_) correct_self_terms(gauge_.data(), grad);
   if (symmetric_ > 0.0) replace_gradients(gauge_.data(), grad);
@@ -156,9 +155,9 @@ void FixAleisphGuard::limit_pressure(double *p, double *grad)
     owner_->forward(p, 1);
     auto &cloud = owner_->cloud();
     work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), p, grad);
+    aleisph::gradient(cloud, cloud.fluid(), p, grad);
     for (const int i : cloud.fluid())
-      if (owner_->role()[i] & aleisph::BALLISTIC) std::fill_n(grad + 3 * i, 3, 0.0);
+      if (cloud.role()[i] & aleisph::BALLISTIC) std::fill_n(grad + 3 * i, 3, 0.0);
     energy = gradient_energy(work_, grad);
   }
   record(PRESSURE, low, energy);
@@ -168,8 +167,7 @@ void FixAleisphGuard::replace_gradients(const double *p, double *grad)
 {
   auto &cloud = owner_->cloud();
   work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
-  const int rows = aleisph::symmetric_gradient(cloud.stencil(), cloud.gradient(), free_rows(),
-                                               cloud.volume(), symmetric_, p, grad);
+  const int rows = aleisph::symmetric_gradient(cloud, free_rows(), symmetric_, p, grad);
   record(SYMMETRIC, rows, gradient_energy(work_, grad));
 }
 
@@ -178,10 +176,8 @@ void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
   auto &cloud = owner_->cloud();
   complete_inverses();
   work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
-  const int rows = aleisph::correct_self_term(
-      cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->role(), owner_->normal(),
-      inverse_.data(), cloud.volume(), cloud.spacing(), aleisph::SelfTermParams(), p, grad,
-      &cloud.laplacian_rows());
+  const int rows = aleisph::correct_self_term(cloud, aleisph::SelfTermParams(), inverse_.data(), p,
+                                              grad);
   record(SELFTERM, rows, gradient_energy(work_, grad));
 }
 
@@ -190,7 +186,7 @@ aleisph::Rows FixAleisphGuard::free_rows() const
 {
   aleisph::Rows rows;
   for (const int i : owner_->cloud().fluid())
-    if (!(owner_->role()[i] & aleisph::BALLISTIC)) rows.push_back(i);
+    if (!(owner_->cloud().role()[i] & aleisph::BALLISTIC)) rows.push_back(i);
   return rows;
 }
 
@@ -198,7 +194,7 @@ aleisph::Rows FixAleisphGuard::free_rows() const
 void FixAleisphGuard::complete_inverses()
 {
   const double *owned = owner_->cloud().gradient().inverse();
-  inverse_.assign(6 * static_cast<std::size_t>(owner_->nall()), 0.0);
+  inverse_.assign(6 * static_cast<std::size_t>(owner_->cloud().size()), 0.0);
   std::copy(owned, owned + 6 * static_cast<std::size_t>(atom->nlocal), inverse_.begin());
   owner_->forward(inverse_.data(), 6);
 }
@@ -226,13 +222,11 @@ void FixAleisphGuard::collide()
   double *v = owner_->velocity();
   owner_->forward(v, 3);
   const double reach = collision_ * cloud.spacing();
-  counts_.assign(owner_->nall(), 0.0);
-  aleisph::count_approaching(cloud.stencil(), cloud.fluid(), owner_->role(), v, reach,
-                             counts_.data());
+  counts_.assign(cloud.size(), 0.0);
+  aleisph::count_approaching(cloud, v, reach, counts_.data());
   owner_->forward(counts_.data(), 1);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  const int events = aleisph::collide(cloud.stencil(), cloud.fluid(), owner_->role(), v,
-                                      counts_.data(), reach, work_.data());
+  const int events = aleisph::collide(cloud, v, counts_.data(), reach, work_.data());
   record(COLLISION, events, change_velocity(work_));
 }
 
@@ -258,20 +252,15 @@ void FixAleisphGuard::hold_off_walls()
   double *u = owner_->custom(SHIFT);
   owner_->forward(v, 3);
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
-  std::vector<double> w(n, 0.0), dw(n, 0.0), convex(owner_->nall(), 0.0);
+  std::vector<double> w(n, 0.0), dw(n, 0.0);
   work_.assign(n, 0.0);
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       if (!shifted_) u[k] = 0.0;    // nobody else sets it anew
       w[k] = v[k] + u[k];
     }
-  const double *shape = owner_->wall_shape();
-  for (int j = 0; j < owner_->nall(); j++)
-    if (owner_->role()[j] & aleisph::WALL) convex[j] = shape[j] > 0.0 && shape[j] < CONVEX;
-
-  const int events = aleisph::hold_off_walls(
-      cloud.stencil(), cloud.fluid(), owner_->role(), owner_->normal(), convex.data(), v, w.data(),
-      cloud.spacing(), walls_ * cloud.spacing(), update->dt, work_.data(), dw.data());
+  const aleisph::WallGuard guard = {walls_ * cloud.spacing(), update->dt, v, w.data()};
+  const int events = aleisph::hold_off_walls(cloud, guard, work_.data(), dw.data());
   // the work of body forces along the displacement is lost or gained
   double energy = change_velocity(work_);
   for (const int i : cloud.fluid())

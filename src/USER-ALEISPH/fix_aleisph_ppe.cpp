@@ -145,7 +145,7 @@ void FixAleisphPPE::final_integrate()
 
 void FixAleisphPPE::solve()
 {
-  if (owner_->version() != version_) assemble();
+  if (owner_->cloud().version() != version_) assemble();
   right_hand_side();
 
   params_.krylov.atol = rounding_level();
@@ -153,7 +153,7 @@ void FixAleisphPPE::solve()
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SOLVE);
   double *p = owner_->pressure();
-  p_.assign(p, p + owner_->nall());
+  p_.assign(p, p + owner_->cloud().size());
   const long builds = solver_->solver().counts().builds;
   report_ = solver_->solve(matrix_, *owner_, rhs_.data(), p_.data(), params_.krylov);
   auto &tally = owner_->tally();
@@ -175,23 +175,21 @@ double FixAleisphPPE::rounding_level() const
   }
   owner_->inner_product().sum(2, squares);
   return ROUNDING *
-      (owner_->rho0() * owner_->spacing() / update->dt * std::sqrt(squares[0]) +
+      (owner_->rho0() * owner_->cloud().spacing() / update->dt * std::sqrt(squares[0]) +
        std::sqrt(squares[1]));
 }
 
 void FixAleisphPPE::assemble()
 {
   auto &cloud = owner_->cloud();
-  const auto &gradient = cloud.gradient();
   // with viscosity the weights serve the predictor, too
   std::vector<double> laplacian = matrix_.release();
   cloud.laplacian_weights(owner_->viscosity() > 0.0, laplacian);
   aleisph::PpeRows rows;
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
-    rows = aleisph::assemble_ppe(cloud.stencil(), gradient, std::move(laplacian), owner_->role(),
-                                 owner_->normal(), cloud.spacing(), matrix_, owner_->row_types(),
-                                 options());
+    rows = aleisph::assemble_ppe(cloud, std::move(laplacian), options(), matrix_,
+                                 owner_->row_types());
   }
   closed_ = !owner_->any(rows.dirichlet + rows.singular + rows.surface > 0);
   solver_->matrix_changed();
@@ -201,15 +199,15 @@ void FixAleisphPPE::assemble()
   tally.dirichlet_rows = rows.dirichlet;
   tally.singular_rows = rows.singular;
   tally.surface_rows = rows.surface;
-  version_ = owner_->version();
+  version_ = cloud.version();
 }
 
 // Next to a free surface wall rows can lose their fluid neighbours
 aleisph::PpeOptions FixAleisphPPE::options() const
 {
   aleisph::PpeOptions options;
-  if (!owner_->has_surface()) return options;
-  options.surface_offset = owner_->surface().offset * owner_->spacing();
+  if (!owner_->surface().present) return options;
+  options.surface_offset = owner_->surface().offset * owner_->cloud().spacing();
   const auto &cloud = owner_->cloud();
   options.min_wall_lambda = MIN_WALL_LAMBDA *
       aleisph::lattice_corner_lambda(cloud.kernel(), cloud.spacing());
@@ -224,8 +222,7 @@ void FixAleisphPPE::right_hand_side()
   aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
   rhs_.resize(atom->nlocal);
   div_.resize(atom->nlocal);
-  aleisph::divergence(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->vstar(),
-                      owner_->role(), owner_->normal(), div_.data());
+  aleisph::divergence(cloud, cloud.fluid(), owner_->vstar(), div_.data());
   // before the first pressure v* holds an acceleration, relative to the wall's
   std::vector<double> at_rest;
   const double *vwall = owner_->velocity();
@@ -233,10 +230,15 @@ void FixAleisphPPE::right_hand_side()
     at_rest.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
     vwall = at_rest.data();
   }
-  aleisph::ppe_rhs(owner_->row_types(), owner_->normal(), owner_->vstar(), vwall, div_.data(),
-                   owner_->pressure(), cloud.spacing(), owner_->rho0() / update->dt, rhs_.data(),
-                   owner_->surface().pressure,
-                   owner_->tension() ? owner_->tension()->surface_pressure() : nullptr);
+  aleisph::PpeFields fields;
+  fields.rho_over_dt = owner_->rho0() / update->dt;
+  fields.vstar = owner_->vstar();
+  fields.vwall = vwall;
+  fields.div = div_.data();
+  fields.p = owner_->pressure();
+  fields.p_surf = owner_->surface().pressure;
+  if (const auto *tension = owner_->tension()) fields.tension = tension->surface_pressure();
+  aleisph::ppe_rhs(cloud, owner_->row_types(), fields, rhs_.data());
 }
 
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
@@ -264,9 +266,8 @@ void FixAleisphPPE::correct_velocity()
     const double *vstar = owner_->vstar();
     const double factor = update->dt / owner_->rho0();
     grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->pressure(),
-                      grad_.data());
-    if (owner_->has_surface()) release_ballistic();
+    aleisph::gradient(cloud, cloud.fluid(), owner_->pressure(), grad_.data());
+    if (owner_->surface().present) release_ballistic();
     if (auto *guard = owner_->pressure_guard())
       guard->guard_pressure(owner_->pressure(), grad_.data());
     for (const int i : cloud.fluid())
@@ -279,7 +280,7 @@ void FixAleisphPPE::correct_velocity()
 void FixAleisphPPE::release_ballistic()
 {
   for (const int i : owner_->cloud().fluid())
-    if (owner_->role()[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
+    if (owner_->cloud().role()[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -287,7 +288,7 @@ void FixAleisphPPE::release_ballistic()
 // a residual r of the scaled rows is an error of |div v| dt of r dt^2/(rho0 d^2)
 double FixAleisphPPE::residual_bound() const
 {
-  const double d = owner_->spacing();
+  const double d = owner_->cloud().spacing();
   return report_.residual * update->dt * update->dt / (owner_->rho0() * d * d);
 }
 
@@ -297,8 +298,7 @@ double FixAleisphPPE::max_divergence()
   double *v = owner_->velocity();
   owner_->forward(v, 3);
   div_.resize(atom->nlocal);
-  aleisph::divergence(cloud.stencil(), cloud.gradient(), cloud.fluid(), v, owner_->role(),
-                      owner_->normal(), div_.data());
+  aleisph::divergence(cloud, cloud.fluid(), v, div_.data());
   double mine = 0.0, all;
   const auto &types = owner_->row_types();
   for (const int i : cloud.fluid())

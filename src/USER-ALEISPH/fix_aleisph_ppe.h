@@ -61,8 +61,8 @@ class FixAleisphPPE : public Fix {
 
   Params params_;
   class FixAleisph *owner_;
-  bigint version_;    // of the positions that the matrix belongs to
-  bool closed_;       // no pressure is prescribed anywhere
+  long version_;    // of the positions that the matrix belongs to
+  bool closed_;     // no pressure is prescribed anywhere
   aleisph::CsrMatrix matrix_;
   std::unique_ptr<class AleisphHaloSolver> solver_;
   aleisph::SolveReport report_;

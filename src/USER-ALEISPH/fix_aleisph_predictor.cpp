@@ -236,8 +236,7 @@ void FixAleisphPredictor::setup(int)
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   auto &cloud = owner_->cloud();
   body_acceleration(a_);
-  aleisph::convection(cloud.stencil(), cloud.gradient(), cloud.fluid(), v, v, owner_->role(),
-                      owner_->normal(), work_.data());
+  aleisph::convection(cloud, cloud.fluid(), v, v, work_.data());
   for (const int i : cloud.fluid())
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
   add_viscosity(1.0, a_);
@@ -323,8 +322,7 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
     for (std::size_t k = 0; k < a.size(); k++) relative_[k] = shifted() ? -w[k] : v[k] - w[k];
     c = relative_.data();
   }
-  aleisph::convection(cloud.stencil(), cloud.gradient(), cloud.fluid(), c, v, owner_->role(),
-                      owner_->normal(), work_.data());
+  aleisph::convection(cloud, cloud.fluid(), c, v, work_.data());
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
 }
@@ -333,8 +331,7 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 {
   if (nu_ == 0.0 || share == 0.0) return;
   auto &cloud = owner_->cloud();
-  aleisph::laplacian(cloud.stencil(), cloud.laplacian(), cloud.fluid(), owner_->velocity(),
-                     owner_->role(), work_.data());
+  aleisph::laplacian(cloud, cloud.fluid(), owner_->velocity(), work_.data());
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share * nu_ * work_[k];
   owner_->tally().viscous_passes++;
@@ -352,14 +349,13 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
   auto &cloud = owner_->cloud();
   aleisph::Rows rows;
   for (const int i : cloud.wall())
-    if (owner_->role()[i] & aleisph::CURLCURL) rows.push_back(i);
+    if (cloud.role()[i] & aleisph::CURLCURL) rows.push_back(i);
   if (!owner_->any(!rows.empty())) return;
 
-  std::vector<double> vorticity(3 * static_cast<std::size_t>(owner_->nall()), 0.0);
-  aleisph::curl(cloud.stencil(), cloud.gradient(), cloud.all(), owner_->velocity(),
-                vorticity.data());
+  std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
+  aleisph::curl(cloud, cloud.all(), owner_->velocity(), vorticity.data());
   owner_->forward(vorticity.data(), 3);
-  aleisph::curl(cloud.stencil(), cloud.gradient(), rows, vorticity.data(), work_.data());
+  aleisph::curl(cloud, rows, vorticity.data(), work_.data());
   for (const int i : rows)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
 }
@@ -435,8 +431,7 @@ void FixAleisphPredictor::predict_implicit()
 
   owner_->forward(owner_->pressure(), 1);
   grad_p_.assign(a_.size(), 0.0);
-  aleisph::gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->pressure(),
-                    grad_p_.data());
+  aleisph::gradient(cloud, cloud.fluid(), owner_->pressure(), grad_p_.data());
   const double *v = owner_->velocity();
   double *vstar = owner_->vstar();
   predict_walls();
@@ -449,7 +444,7 @@ void FixAleisphPredictor::predict_implicit()
   for (const int i : cloud.wall())
     for (int k = 3 * i; k < 3 * i + 3; k++) rhs[k] = v[k];
 
-  if (viscous_version_ != owner_->version() || viscous_dt_ != dt) assemble_viscous();
+  if (viscous_version_ != cloud.version() || viscous_dt_ != dt) assemble_viscous();
   solve_viscous(rhs);
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = rhs[k] + dt / owner_->rho0() * grad_p_[k];
@@ -462,7 +457,7 @@ void FixAleisphPredictor::assemble_viscous()
   const auto &s = cloud.stencil();
   const double *weight = cloud.laplacian().a();
   const double share = params_.theta * update->dt * nu_;
-  const aleisph::Role *role = owner_->role();
+  const aleisph::Role *role = cloud.role();
 
   viscous_.reset(atom->nlocal, s.ptr(), s.col());
   for (int i = 0; i < atom->nlocal; i++) viscous_.diag(i) = 1.0;
@@ -485,7 +480,7 @@ void FixAleisphPredictor::assemble_viscous()
   }
   solver_->matrix_changed();
   owner_->tally().viscous_builds++;
-  viscous_version_ = owner_->version();
+  viscous_version_ = cloud.version();
   viscous_dt_ = update->dt;
 }
 
@@ -500,7 +495,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
   krylov.atol = params_.tolerance * std::sqrt(norm);
 
   const double *v = owner_->velocity();
-  std::vector<double> b(atom->nlocal), u(owner_->nall());
+  std::vector<double> b(atom->nlocal), u(owner_->cloud().size());
   viscous_iterations_ = 0;
   for (int a = 0; a < domain->dimension; a++) {
     for (int i = 0; i < atom->nlocal; i++) {
@@ -544,7 +539,7 @@ void FixAleisphPredictor::restart(char *buf)
 
 double FixAleisphPredictor::viscous_number() const
 {
-  return nu_ * update->dt / (owner_->spacing() * owner_->spacing());
+  return nu_ * update->dt / (owner_->cloud().spacing() * owner_->cloud().spacing());
 }
 
 // max |v|, or max |v + w|
@@ -603,7 +598,7 @@ double FixAleisphPredictor::compute_vector(int n)
   if (!owner_->ready()) return 0.0;
   const auto &fluid = owner_->cloud().fluid();
   switch (n) {
-    case 0: return largest_norm(fluid, owner_->velocity()) * update->dt / owner_->spacing();
+    case 0: return largest_norm(fluid, owner_->velocity()) * update->dt / owner_->cloud().spacing();
     case 1: return viscous_number();
     case 2: return largest_norm(fluid, owner_->velocity());
     case 3: return advisable_time_step();

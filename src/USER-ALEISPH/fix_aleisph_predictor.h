@@ -96,7 +96,7 @@ class FixAleisphPredictor : public Fix, private AleisphTimeStepLimit {
   std::vector<double> a_, work_, grad_p_, relative_;    // 3 per owned particle
   aleisph::CsrMatrix viscous_;
   std::unique_ptr<class AleisphHaloSolver> solver_;
-  bigint viscous_version_;
+  long viscous_version_;
   double viscous_dt_;
   int viscous_iterations_;
 };

@@ -94,7 +94,7 @@ void FixAleisphPressure::setup_pre_force(int vflag)
 void FixAleisphPressure::pre_force(int)
 {
   set_pressure();
-  if (buffer_bit_ && owner_->version() != version_) find_sources();
+  if (buffer_bit_ && owner_->cloud().version() != version_) find_sources();
 }
 
 // prescribed rows of the PPE keep the value that the pressure field holds
@@ -145,14 +145,14 @@ void FixAleisphPressure::find_sources()
                "buffer direction; align the layers or turn the direction towards the fluid",
                bad);
   find_depth();
-  version_ = owner_->version();
+  version_ = cloud.version();
 }
 
 int FixAleisphPressure::nearest_source(int i) const
 {
   const auto &s = owner_->cloud().stencil();
-  const double d = owner_->spacing();
-  const aleisph::Role *role = owner_->role();
+  const double d = owner_->cloud().spacing();
+  const aleisph::Role *role = owner_->cloud().role();
   double best = MAX_OFFSET * MAX_OFFSET * d * d;
   int source = -1;
   for (int k = s.begin(i); k < s.end(i); k++) {
@@ -175,7 +175,7 @@ int FixAleisphPressure::nearest_source(int i) const
 void FixAleisphPressure::find_depth()
 {
   constexpr double UNKNOWN = 1.0e9;
-  std::vector<double> depth(owner_->nall(), 0.0);
+  std::vector<double> depth(owner_->cloud().size(), 0.0);
   for (const int i : buffer_) depth[i] = UNKNOWN;
   double deepest = 0.0;
   for (int sweep = 0; sweep <= MAX_DEPTH; sweep++) {

@@ -48,7 +48,7 @@ class FixAleisphPressure : public Fix, public AleisphVelocityCondition {
   int buffer_group_, buffer_bit_;    // index and bit of the buffer's group; -1, 0 if there is none
   double towards_[3];                // unit vector from the buffer to the fluid
   FixAleisph *owner_;
-  bigint version_;                      // of the positions that the sources belong to
+  long version_;                        // of the positions that the sources belong to
   std::vector<int> buffer_, source_;    // owned buffer particles and what they copy
   std::vector<int> slot_;               // per owned particle: index into buffer_, or -1
   int depth_;                           // layers of the buffer, the largest over all ranks

@@ -147,7 +147,7 @@ void FixAleisphShift::init()
     if (ivar < 0 || !input->variable->equalstyle(ivar))
       error->all(FLERR, "Fix aleisph/shift: {} is not an equal-style variable", variable_);
   }
-  if (filter_ > 0.0 && owner_->has_surface()) owner_->add_acceleration(this);
+  if (filter_ > 0.0 && owner_->surface().present) owner_->add_acceleration(this);
 }
 
 // A run that goes on keeps the shift that its last step left.
@@ -166,12 +166,12 @@ double FixAleisphShift::rate() const
   if (rate_ >= 0.0) return rate_;
   if (params_.model != ShiftModel::DENSITY) return RATE_FULL;
   if (params_.published) return RATE_PUBLISHED;
-  return owner_->has_surface() ? RATE_SURFACE : RATE_FULL;
+  return owner_->surface().present ? RATE_SURFACE : RATE_FULL;
 }
 
 double FixAleisphShift::dt_over_d() const
 {
-  return update->dt / owner_->spacing();
+  return update->dt / owner_->cloud().spacing();
 }
 
 double FixAleisphShift::largest_speed() const
@@ -199,7 +199,6 @@ double FixAleisphShift::velocity_scale()
 void FixAleisphShift::shift()
 {
   auto &cloud = owner_->cloud();
-  const auto &s = cloud.stencil();
   double *v = owner_->velocity();
   owner_->forward(v, 3);
 
@@ -210,17 +209,13 @@ void FixAleisphShift::shift()
   params_.wall_step = params_.wall_distance > 0.0 ? std::min(WALL_RATE * scale, WALL_STEP) : 0.0;
   params_.dt = update->dt;
   if (params_.model == ShiftModel::DENSITY) {
-    eps_.assign(owner_->nall(), 0.0);
-    aleisph::density_deviation(s, cloud.kernel(), cloud.fluid(), owner_->role(), owner_->normal(),
-                               cloud.volume(), cloud.spacing(), params_.published, eps_.data(),
-                               owner_->tension() ? owner_->tension()->curvature() : nullptr,
-                               cloud.seen());
+    eps_.assign(cloud.size(), 0.0);
+    aleisph::density_deviation(cloud, params_.published, eps_.data(),
+                               owner_->tension() ? owner_->tension()->curvature() : nullptr);
     owner_->forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  const auto count = aleisph::compute_shift(s, cloud.kernel(), cloud.fluid(), owner_->role(),
-                                            owner_->normal(), eps_.data(), v, cloud.volume(),
-                                            cloud.spacing(), params_, dr_.data(), cloud.seen());
+  const auto count = aleisph::compute_shift(cloud, params_, eps_.data(), v, dr_.data());
   limited_ = count.limited;
   limited_total_ += count.limited;
 
@@ -241,20 +236,17 @@ void FixAleisphShift::add_acceleration(double *a)
   const double share = std::min(per_step(filter_), MAX_FILTER);
   auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
-  const std::size_t nall = owner_->nall();
+  const std::size_t nall = cloud.size();
   grad_v_.assign(9 * nall, 0.0);
-  const aleisph::SeenRoles neighbours(cloud.stencil(), owner_->role(), cloud.seen());
+  const aleisph::SeenRoles neighbours = cloud.neighbours();
   rows_.clear();
   for (const int i : cloud.fluid())
-    if ((owner_->role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
+    if ((cloud.role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
       rows_.push_back(i);
-  aleisph::velocity_gradient(cloud.stencil(), cloud.gradient(), rows_, owner_->velocity(),
-                             owner_->role(), owner_->normal(), grad_v_.data());
+  aleisph::velocity_gradient(cloud, rows_, owner_->velocity(), grad_v_.data());
   owner_->forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  aleisph::surface_velocity_filter(cloud.stencil(), cloud.kernel(), rows_, owner_->role(),
-                                   owner_->velocity(), grad_v_.data(), cloud.volume(),
-                                   work_.data());
+  aleisph::surface_velocity_filter(cloud, rows_, owner_->velocity(), grad_v_.data(), work_.data());
   for (const int i : rows_)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
 }
@@ -295,7 +287,7 @@ double FixAleisphShift::compute_vector(int n)
         if (3 * static_cast<std::size_t>(i) < dr_.size())
           mine = std::max(mine, std::hypot(dr_[3 * i], dr_[3 * i + 1], dr_[3 * i + 2]));
       MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-      return all / owner_->spacing();
+      return all / owner_->cloud().spacing();
     default:
       for (const int i : fluid)
         if (static_cast<std::size_t>(i) < eps_.size()) mine += eps_[i];

@@ -84,7 +84,7 @@ void FixAleisphSurface::init()
   surface_.offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
   params_.reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
   owner_->set_surface(surface_);
-  const double support = owner_->cloud().kernel().support() / owner_->spacing();
+  const double support = owner_->cloud().kernel().support() / owner_->cloud().spacing();
   params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
   version_ = -1;
 }
@@ -96,19 +96,18 @@ void FixAleisphSurface::setup_pre_force(int vflag)
 
 void FixAleisphSurface::pre_force(int)
 {
-  if (owner_->version() != version_) detect();
+  if (owner_->cloud().version() != version_) detect();
 }
 
 void FixAleisphSurface::detect()
 {
   auto &cloud = owner_->cloud();
-  const auto &gradient = cloud.gradient();
+  cloud.gradient();    // timed apart
   aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
-  count_ = aleisph::detect_surface(cloud.stencil(), gradient, cloud.fluid(), cloud.spacing(),
-                                   params_, owner_->surface_role(), owner_->normal());
+  count_ = aleisph::detect_surface(cloud, params_);
   owner_->forward_roles();
-  owner_->forward(owner_->normal(), 3);
-  version_ = owner_->version();
+  owner_->forward(cloud.normal(), 3);
+  version_ = cloud.version();
 }
 
 // particles on the surface, ballistic ones, dry wall particles, clamped inverses, PPE surface rows

@@ -39,7 +39,7 @@ class FixAleisphSurface : public Fix {
   AleisphSurface surface_;
   double offset_, reach_;    // as given, < 0: the default
   FixAleisph *owner_;
-  bigint version_;    // of the positions that the flags belong to
+  long version_;    // of the positions that the flags belong to
   aleisph::SurfaceCount count_;
 };
 

@@ -152,7 +152,7 @@ void FixAleisphTension::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
   owner_->check_fluid_fix(this);
-  if (!owner_->has_surface())
+  if (!owner_->surface().present)
     error->all(FLERR, "Fix aleisph/tension needs a fix aleisph/surface, defined before it");
   sigma_ = given_sigma_ < 0.0 ? owner_->fluid().sigma : given_sigma_;
   if (given_sigma_ < 0.0 && sigma_ <= 0.0)
@@ -170,7 +170,8 @@ void FixAleisphTension::init()
   if (walls_) owner_->set_velocity_guard(this);
   if (filter_ > 0.0) owner_->add_acceleration(this);
   if (model_ == Model::TANGENT) {
-    const double reach = aleisph::wide_kernel(domain->dimension, owner_->spacing()).support();
+    const double reach =
+        aleisph::wide_kernel(domain->dimension, owner_->cloud().spacing()).support();
     owner_->require_reach(reach);
     neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(reach);
   }
@@ -203,7 +204,7 @@ void FixAleisphTension::resolve_angles() const
 // cosine of the angle on owned and ghost walls
 void FixAleisphTension::evaluate_angles()
 {
-  cosine_.assign(owner_->nall(), NEUTRAL);
+  cosine_.assign(owner_->cloud().size(), NEUTRAL);
   std::vector<double> values(atom->nlocal);
   tagint outside = 0;
   for (const auto &angle : angles_) {
@@ -215,7 +216,8 @@ void FixAleisphTension::evaluate_angles()
     else
       input->variable->compute_atom(ivar, group->find(angle.group), values.data(), 1, 0);
     for (int i = 0; i < atom->nlocal; i++) {
-      if (!(atom->mask[i] & angle.groupbit) || !(owner_->role()[i] & aleisph::WALL)) continue;
+      if (!(atom->mask[i] & angle.groupbit) || !(owner_->cloud().role()[i] & aleisph::WALL))
+        continue;
       if (!is_angle(values[i])) outside = atom->tag[i];
       cosine_[i] = std::cos(values[i] * DEGREE);
     }
@@ -244,33 +246,33 @@ void FixAleisphTension::setup(int vflag)
 void FixAleisphTension::pre_force(int)
 {
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
-  if (owner_->version() != version_) rebuild();
+  if (owner_->cloud().version() != version_) rebuild();
   find_pressure();
 }
 
 // everything that depends on the positions alone
 void FixAleisphTension::rebuild()
 {
-  const std::size_t nall = owner_->nall();
+  auto &cloud = owner_->cloud();
+  const std::size_t nall = cloud.size();
   if (walls_ && model_ == Model::TANGENT) {
-    auto &cloud = owner_->cloud();
-    aleisph::bind_tips(cloud.stencil(), cloud.fluid(), cloud.spacing(), owner_->surface_role());
+    aleisph::bind_tips(cloud.stencil(), cloud.fluid(), cloud.spacing(), cloud.role());
     owner_->forward_roles();
   }
-  rows_ = aleisph::surface_rows(owner_->cloud().fluid(), owner_->role());
+  rows_ = aleisph::surface_rows(cloud.fluid(), cloud.role());
   count_ = {};
   N_.assign(3 * nall, 0.0);
   K_.assign(nall, 0.0);
   known_.assign(nall, 0.0);
   mean_.assign(nall, 0.0);
   if (model_ == Model::TANGENT)
-    wide_.build(aleisph::wide_kernel(domain->dimension, owner_->spacing()), atom->nlocal, atom->x,
+    wide_.build(aleisph::wide_kernel(domain->dimension, cloud.spacing()), atom->nlocal, atom->x,
                 {list_->numneigh, list_->firstneigh, NEIGHMASK},
-                {owner_->role(), aleisph::SURFACE | (walls_ ? aleisph::WALL : 0u), 0});
+                {cloud.role(), aleisph::SURFACE | (walls_ ? aleisph::WALL : 0u), 0});
   find_contact_lines();
   find_normals();
   find_curvature();
-  version_ = owner_->version();
+  version_ = cloud.version();
 }
 
 void FixAleisphTension::find_contact_lines()
@@ -280,17 +282,17 @@ void FixAleisphTension::find_contact_lines()
   if (!walls_) return;
   auto &cloud = owner_->cloud();
   evaluate_angles();
-  contact_.assign(4 * static_cast<std::size_t>(owner_->nall()), 0.0);
-  ncontact_ = aleisph::contact_normals(cloud.stencil(), rows_, owner_->role(), owner_->normal(),
+  contact_.assign(4 * static_cast<std::size_t>(cloud.size()), 0.0);
+  ncontact_ = aleisph::contact_normals(cloud.stencil(), rows_, cloud.role(), cloud.normal(),
                                        cosine_.data(), cloud.spacing(), contact_params_,
-                                       contact_.data(), owner_->wall_shape());
+                                       contact_.data(), cloud.shape());
   if (model_ == Model::PUBLISHED) return;
   owner_->forward(contact_.data(), 4);
-  plane_.assign(2 * static_cast<std::size_t>(owner_->nall()), 0.0);
+  plane_.assign(2 * static_cast<std::size_t>(cloud.size()), 0.0);
   aleisph::Rows walls;
   for (int i = 0; i < atom->nlocal; i++)
-    if (owner_->role()[i] & aleisph::WALL) walls.push_back(i);
-  aleisph::contact_planes(wide_, walls, owner_->role(), owner_->normal(), contact_.data(),
+    if (cloud.role()[i] & aleisph::WALL) walls.push_back(i);
+  aleisph::contact_planes(wide_, walls, cloud.role(), cloud.normal(), contact_.data(),
                           cloud.spacing(), plane_.data());
   owner_->forward(plane_.data(), 2);
 }
@@ -299,18 +301,18 @@ void FixAleisphTension::find_normals()
 {
   auto &cloud = owner_->cloud();
   if (model_ == Model::PUBLISHED) {
-    lambda_.assign(owner_->nall(), 0.0);
+    lambda_.assign(cloud.size(), 0.0);
     for (int i = 0; i < atom->nlocal; i++) lambda_[i] = cloud.gradient().lambda(i);
     owner_->forward(lambda_.data(), 1);
     aleisph::eigenvalue_gradient(cloud.stencil(), cloud.gradient(), rows_, lambda_.data(),
                                  N_.data());
   } else {
     const auto kernel = aleisph::wide_kernel(domain->dimension, cloud.spacing());
-    aleisph::wide_gradient(wide_, rows_, owner_->role(), cloud.volume(), N_.data());
+    aleisph::wide_gradient(wide_, rows_, cloud.role(), cloud.volume(), N_.data());
     if (walls_)
-      aleisph::add_continuation(wide_, kernel, rows_, owner_->role(), owner_->normal(),
-                                plane_.data(), cloud.volume(), cloud.spacing(), contact_params_,
-                                N_.data(), owner_->wall_shape());
+      aleisph::add_continuation(wide_, kernel, rows_, cloud.role(), cloud.normal(), plane_.data(),
+                                cloud.volume(), cloud.spacing(), contact_params_, N_.data(),
+                                cloud.shape());
   }
   undirected_ = aleisph::normalise(rows_, N_.data());
   if (model_ == Model::PUBLISHED && walls_)    // Morikawa, Tsuji & Asai, Fig. 9
@@ -323,15 +325,15 @@ void FixAleisphTension::find_curvature()
 {
   auto &cloud = owner_->cloud();
   if (model_ == Model::PUBLISHED) {
-    count_ = aleisph::published_curvature(cloud.stencil(), cloud.gradient(), rows_, owner_->role(),
+    count_ = aleisph::published_curvature(cloud.stencil(), cloud.gradient(), rows_, cloud.role(),
                                           N_.data(), factor_, cloud.spacing(), mean_.data());
     return;
   }
-  count_ = aleisph::tangent_curvature(cloud.stencil(), rows_, owner_->role(), N_.data(),
+  count_ = aleisph::tangent_curvature(cloud.stencil(), rows_, cloud.role(), N_.data(),
                                       cloud.volume(), K_.data(), known_.data());
   owner_->forward(K_.data(), 1);
   owner_->forward(known_.data(), 1);
-  aleisph::smooth_curvature(cloud.stencil(), rows_, owner_->role(), N_.data(), K_.data(),
+  aleisph::smooth_curvature(cloud.stencil(), rows_, cloud.role(), N_.data(), K_.data(),
                             known_.data(), cloud.spacing(), mean_.data(), count_);
   if (walls_) set_contact_angle();
 }
@@ -342,10 +344,10 @@ void FixAleisphTension::set_contact_angle()
   auto &cloud = owner_->cloud();
   share_.assign(atom->nlocal, 0.0);
   count_.limited += aleisph::contact_curvature(
-      wide_, rows_, owner_->role(), owner_->normal(), cosine_.data(), N_.data(), cloud.spacing(),
-      contact_params_, share_.data(), mean_.data(), owner_->wall_shape());
-  aleisph::contact_surface_normals(rows_, share_.data(), N_.data(), owner_->normal());
-  owner_->forward(owner_->normal(), 3);
+      wide_, rows_, cloud.role(), cloud.normal(), cosine_.data(), N_.data(), cloud.spacing(),
+      contact_params_, share_.data(), mean_.data(), cloud.shape());
+  aleisph::contact_surface_normals(rows_, share_.data(), N_.data(), cloud.normal());
+  owner_->forward(cloud.normal(), 3);
 }
 
 /* ----------------------------------------------------------------------
@@ -367,8 +369,7 @@ void FixAleisphTension::find_pressure()
     auto &cloud = owner_->cloud();
     owner_->forward(owner_->velocity(), 3);
     grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::velocity_gradient(cloud.stencil(), cloud.gradient(), rows_, owner_->velocity(),
-                               owner_->role(), owner_->normal(), grad_v_.data());
+    aleisph::velocity_gradient(cloud, rows_, owner_->velocity(), grad_v_.data());
   }
   for (const int i : rows_) {
     if (pressure_form_) p_[i] += sigma_ * mean_[i];
@@ -388,7 +389,7 @@ void FixAleisphTension::post_force(int)
 {
   const double volume = owner_->cloud().volume();
   const double mean = model_ == Model::PUBLISHED ? 1.0 / (domain->dimension - 1) : 1.0;
-  const double factor = mean * volume * sigma_ * delta_ / owner_->spacing();
+  const double factor = mean * volume * sigma_ * delta_ / owner_->cloud().spacing();
   for (const int i : rows_)
     for (int a = 0; a < domain->dimension; a++) atom->f[i][a] -= factor * mean_[i] * N_[3 * i + a];
 }
@@ -396,16 +397,15 @@ void FixAleisphTension::post_force(int)
 // the high-pass filter takes min(filter sqrt(sigma/(rho d^3)), 1/dt) of the roughness of v
 void FixAleisphTension::add_acceleration(double *a)
 {
-  const double d = owner_->spacing();
+  const double d = owner_->cloud().spacing();
   const double rate = std::min(filter_ * std::sqrt(sigma_ / (owner_->rho0() * d * d * d)),
                                MAX_FILTER / update->dt);
   auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
   grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(cloud.stencil(), cloud.gradient(), cloud.fluid(), owner_->velocity(),
-                             owner_->role(), owner_->normal(), grad_v_.data());
+  aleisph::velocity_gradient(cloud, cloud.fluid(), owner_->velocity(), grad_v_.data());
   filtered_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_roughness(cloud.stencil(), cloud.kernel(), cloud.fluid(), owner_->role(),
+  aleisph::velocity_roughness(cloud.stencil(), cloud.kernel(), cloud.fluid(), cloud.role(),
                               owner_->velocity(), grad_v_.data(), filtered_.data());
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += rate * filtered_[k];
@@ -414,7 +414,7 @@ void FixAleisphTension::add_acceleration(double *a)
 void FixAleisphTension::guard_velocity(double *v)
 {
   auto &cloud = owner_->cloud();
-  held_ = aleisph::hold_surface(cloud.stencil(), rows_, owner_->role(), owner_->normal(),
+  held_ = aleisph::hold_surface(cloud.stencil(), rows_, cloud.role(), cloud.normal(),
                                 HOLD_REACH * cloud.spacing(), cloud.spacing(), v);
 }
 
@@ -423,7 +423,7 @@ void FixAleisphTension::guard_velocity(double *v)
 void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
 {
   limits.lower(StepBound::CAPILLARY,
-               aleisph::capillary_limit(owner_->rho0(), owner_->spacing(), sigma_));
+               aleisph::capillary_limit(owner_->rho0(), owner_->cloud().spacing(), sigma_));
 }
 
 // Another fix has changed the time step during a run. That of fix aleisph/dt keeps the limit.
@@ -434,7 +434,7 @@ void FixAleisphTension::reset_dt()
 
 void FixAleisphTension::check_time_step() const
 {
-  const double limit = aleisph::capillary_limit(owner_->rho0(), owner_->spacing(), sigma_);
+  const double limit = aleisph::capillary_limit(owner_->rho0(), owner_->cloud().spacing(), sigma_);
   const double dt = update->dt, safe = SAFE_SHARE * limit;
   // the messages give the safe step with six digits
   if (dt > limit * (1.0 + 1.0e-5))
@@ -455,7 +455,7 @@ void FixAleisphTension::check_time_step() const
 double FixAleisphTension::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
-  if (!owner_->ready() || version_ != owner_->version()) return 0.0;
+  if (!owner_->ready() || version_ != owner_->cloud().version()) return 0.0;
   double mine = 0.0, all;
   switch (n) {
     case 0:

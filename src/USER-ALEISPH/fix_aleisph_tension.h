@@ -94,7 +94,7 @@ class FixAleisphTension :
   aleisph::ContactParams contact_params_;
   aleisph::CurvatureCount count_;
   int ncontact_, undirected_, held_;
-  bigint version_;
+  long version_;
 
   aleisph::Rows rows_;    // owned surface particles that feel tension
   aleisph::Stencil wide_;

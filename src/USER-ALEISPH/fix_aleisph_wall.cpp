@@ -189,7 +189,7 @@ int FixAleisphWall::find_normals(const aleisph::Stencil &walls)
 
 bool FixAleisphWall::is_known(int i) const
 {
-  const double *n = owner_->normal() + 3 * i;
+  const double *n = owner_->cloud().normal() + 3 * i;
   return n[0] != 0.0 || n[1] != 0.0 || n[2] != 0.0;
 }
 
@@ -197,7 +197,7 @@ int FixAleisphWall::copy_given_normals(const aleisph::Stencil &walls, const alei
 {
   int flag, cols;
   double **given = atom->darray[atom->find_custom(given_.c_str(), flag, cols)];
-  double *normal = owner_->normal();
+  double *normal = owner_->cloud().normal();
   tagint bad = 0;
   for (const int i : rows) {
     double square = 0.0;
@@ -209,18 +209,16 @@ int FixAleisphWall::copy_given_normals(const aleisph::Stencil &walls, const alei
   }
   if ((bad = owner_->largest(bad)))
     error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", bad);
-  aleisph::wall_shapes(walls, rows, owner_->role(), owner_->spacing(), aleisph::FanParams(), normal,
-                       owner_->wall_shape());
+  aleisph::wall_shapes(walls, rows, owner_->cloud());
   return rows.size();
 }
 
 int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows)
 {
-  if (!owner_->has_surface()) require_fluid(walls, rows);
+  if (!owner_->surface().present) require_fluid(walls, rows);
   std::vector<aleisph::NormalStatus> status(atom->nlocal);
-  const aleisph::NormalCount count = aleisph::wall_normals(
-      walls, rows, owner_->role(), owner_->spacing(), aleisph::FanParams(),
-      owner_->previous_normal(), owner_->normal(), owner_->wall_shape(), status);
+  const aleisph::NormalCount count = aleisph::wall_normals(walls, rows, owner_->previous_normal(),
+                                                           owner_->cloud(), status);
   fallback_ += count.fallback;
   contradictory_ += count.contradictory.size();
   for (const int i : count.contradictory) wrong_ = atom->tag[i];
@@ -230,7 +228,7 @@ int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph
 // Without a free surface there are no dry walls: each has a row in the pressure equation.
 void FixAleisphWall::require_fluid(const aleisph::Stencil &walls, const aleisph::Rows &rows) const
 {
-  const aleisph::Role *role = owner_->role();
+  const aleisph::Role *role = owner_->cloud().role();
   tagint bad = 0;
   for (const int i : rows) {
     const int *begin = walls.col() + walls.begin(i), *end = walls.col() + walls.end(i);
@@ -252,7 +250,7 @@ void FixAleisphWall::check_normals()
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit) || is_known(i)) continue;
     unknown_++;
-    if (!(owner_->role()[i] & aleisph::DRY)) bad = atom->tag[i];
+    if (!(owner_->cloud().role()[i] & aleisph::DRY)) bad = atom->tag[i];
   }
   if ((bad = owner_->largest(bad)))
     error->all(FLERR,

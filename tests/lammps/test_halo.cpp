@@ -124,7 +124,7 @@ void expect_lammps_halo(const Scene &scene, const std::string &more)
           "timestep 0.01\nvariable u atom 1+sin(2*PI*y)\nvelocity fluid set v_u 0 0\nrun 12");
   LAMMPS &lmp = sim.lammps();
   FixAleisph *fix = FixAleisph::find(&lmp, "test");
-  const int nlocal = lmp.atom->nlocal, nall = fix->nall();
+  const int nlocal = lmp.atom->nlocal, nall = fix->cloud().size();
   ASSERT_EQ(fix->halo().columns(), nall);
 
   std::vector<double> theirs(nall, STALE), ours;

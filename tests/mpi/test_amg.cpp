@@ -28,8 +28,7 @@ Sparse pressure_matrix(const Scene &scene)
   const Discretized ops(scene);
   CsrMatrix A;
   std::vector<RowType> type;
-  assemble_ppe(ops.s(), ops.g(), weights(ops.l(), ops.s()), scene.role.data(), scene.normal.data(),
-               scene.d, A, type);
+  assemble_ppe(ops.cloud(), weights(ops.l(), ops.s()), PpeOptions(), A, type);
   return to_eigen(A);
 }
 

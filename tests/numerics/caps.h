@@ -76,7 +76,7 @@ class Contact {
   void outward();
 
   int dim_, nsurface_;
-  Cloud cloud_;
+  PointSet cloud_;
   aleisph::Stencil s_, wide_;
   aleisph::Rows rows_, walls_;
   std::vector<Eigen::Vector3d> directions_;    // of the walls, each once

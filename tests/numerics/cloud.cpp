@@ -67,7 +67,7 @@ Points cut(const Points &points, int planes, double c)
   });
 }
 
-Cloud::Cloud(Points points, int owned, double reach, unsigned seed) :
+PointSet::PointSet(Points points, int owned, double reach, unsigned seed) :
     owned_(owned), points_(std::move(points)), lists_(owned), masked_(owned)
 {
   std::mt19937 random(seed);
@@ -85,36 +85,56 @@ Cloud::Cloud(Points points, int owned, double reach, unsigned seed) :
   }
 }
 
-Rows Cloud::rows() const
+Rows PointSet::rows() const
 {
   Rows rows;
   for (int i = 0; i < owned_; i++) rows.push_back(i);
   return rows;
 }
 
-Cloud one_row(const Kernel &kernel, int planes, double amplitude, unsigned seed)
+PointSet one_row(const Kernel &kernel, int planes, double amplitude, unsigned seed)
 {
   const int n = static_cast<int>(std::ceil(kernel.support() / D)) + 1;
   Points points = cut(lattice(kernel.dim(), n, D), planes, 0.5 * D);
   jitter(points, kernel.dim(), amplitude, seed);
-  return Cloud(points, 1, kernel.support() + 0.3 * D, seed);
+  return PointSet(points, 1, kernel.support() + 0.3 * D, seed);
 }
 
-Cloud block(int dim, int n, unsigned seed)
+PointSet block(int dim, int n, unsigned seed)
 {
   Points points = lattice(dim, n, D);
   jitter(points, dim, 0.2 * D, seed);
   const int owned = static_cast<int>(points.size());
-  return Cloud(points, owned, 4.0 * D, seed);
+  return PointSet(points, owned, 4.0 * D, seed);
 }
 
-Discrete::Discrete(const Kernel &kernel, double d, const Cloud &cloud,
-                   const LaplacianLimits &limits) :
-    volume_(std::pow(d, kernel.dim()))
+void set_particles(Cloud &cloud, const std::vector<Role> &role, const std::vector<double> &normal)
 {
-  s_.build(kernel, cloud.owned(), cloud.x(), cloud.list());
-  g_.build(s_, volume_);
-  l_.build(s_, g_, cloud.rows(), kernel, d, limits);
+  if (role.empty())
+    std::fill_n(cloud.role(), cloud.size(), FLUID);
+  else
+    std::copy_n(role.begin(), cloud.size(), cloud.role());
+  if (!normal.empty()) std::copy_n(normal.begin(), 3 * cloud.size(), cloud.normal());
+  cloud.roles_changed();
+}
+
+Cloud make_cloud(const Kernel &kernel, double d, const PointSet &points,
+                 const CloudOptions &options)
+{
+  static Timers timers;    // nobody looks at them
+  Cloud cloud(kernel, d, timers);
+  cloud.reset(points.owned(), points.total());
+  set_particles(cloud, options.role, options.normal);
+  cloud.update(points.x(), points.list(), options.dry);
+  return cloud;
+}
+
+Discrete::Discrete(const Kernel &kernel, double d, const PointSet &points,
+                   const LaplacianLimits &limits) :
+    cloud_(make_cloud(kernel, d, points))
+{
+  cloud_.set_limits(limits);
+  cloud_.laplacian();
 }
 
 std::vector<double> random_field(int n, unsigned seed)
@@ -126,14 +146,15 @@ std::vector<double> random_field(int n, unsigned seed)
   return f;
 }
 
-std::vector<double> sample(const Cloud &cloud, const std::function<double(const Point &)> &f)
+std::vector<double> sample(const PointSet &cloud, const std::function<double(const Point &)> &f)
 {
   std::vector<double> values;
   for (const Point &p : cloud.points()) values.push_back(f(p));
   return values;
 }
 
-std::vector<double> sample_vector(const Cloud &cloud, const std::function<Point(const Point &)> &f)
+std::vector<double> sample_vector(const PointSet &cloud,
+                                  const std::function<Point(const Point &)> &f)
 {
   std::vector<double> values;
   for (const Point &p : cloud.points()) {

@@ -7,7 +7,7 @@
 #ifndef ALEISPH_TEST_CLOUD_H
 #define ALEISPH_TEST_CLOUD_H
 
-#include "aleisph_operators.h"
+#include "aleisph_cloud.h"
 
 #include <array>
 #include <functional>
@@ -54,9 +54,9 @@ Points cut(const Points &points, int planes, double c);
    a row are all other points within `reach`, as indices with garbage in the
    bits above the mask, in random order if seed > 0.
 ------------------------------------------------------------------------- */
-class Cloud {
+class PointSet {
  public:
-  Cloud(Points points, int owned, double reach, unsigned seed = 0);
+  PointSet(Points points, int owned, double reach, unsigned seed = 0);
 
   int owned() const { return owned_; }
   int total() const { return static_cast<int>(points_.size()); }
@@ -81,36 +81,49 @@ class Cloud {
 // One row: the particle near the origin, on the rim of what `planes` planes leave of a lattice
 // of spacing D with jitter; SUPPORT[planes] names the support.
 constexpr const char *SUPPORT[] = {"full", "plane", "edge", "corner"};
-Cloud one_row(const aleisph::Kernel &kernel, int planes, double amplitude, unsigned seed);
+PointSet one_row(const aleisph::Kernel &kernel, int planes, double amplitude, unsigned seed);
 
 // A block of (2n+1)^dim particles with jitter 0.2 D and free surfaces on all sides, all of
 // them rows; candidates in random order.
-Cloud block(int dim, int n, unsigned seed);
+PointSet block(int dim, int n, unsigned seed);
 
-// Stencil, gradient and Laplacian weights of all owned rows; volume = d^dim
+// roles and normals of all particles; without roles all are fluid, without normals these are zero
+void set_particles(aleisph::Cloud &cloud, const std::vector<aleisph::Role> &role,
+                   const std::vector<double> &normal = {});
+
+// What a cloud of these points is made with, besides kernel and spacing
+struct CloudOptions {
+  std::vector<aleisph::Role> role = {};
+  std::vector<double> normal = {};
+  bool dry = false;    // particles with role DRY are in no pair
+};
+aleisph::Cloud make_cloud(const aleisph::Kernel &kernel, double d, const PointSet &points,
+                          const CloudOptions &options = CloudOptions());
+
+// Stencil, gradient and Laplacian weights of all owned rows, which are fluid; volume = d^dim
 class Discrete {
  public:
-  Discrete(const aleisph::Kernel &kernel, double d, const Cloud &cloud,
+  Discrete(const aleisph::Kernel &kernel, double d, const PointSet &cloud,
            const aleisph::LaplacianLimits &limits = no_limits());
 
-  const aleisph::Stencil &s() const { return s_; }
-  const aleisph::GradientWeights &g() const { return g_; }
-  const aleisph::LaplacianWeights &l() const { return l_; }
-  double volume() const { return volume_; }
+  const aleisph::Cloud &cloud() const { return cloud_; }
+  aleisph::Cloud &cloud() { return cloud_; }
+  const aleisph::Stencil &s() const { return cloud_.stencil(); }
+  const aleisph::GradientWeights &g() const { return cloud_.gradient(); }
+  const aleisph::LaplacianWeights &l() const { return cloud_.laplacian(); }
+  double volume() const { return cloud_.volume(); }
 
  private:
-  aleisph::Stencil s_;
-  aleisph::GradientWeights g_;
-  aleisph::LaplacianWeights l_;
-  double volume_;
+  aleisph::Cloud cloud_;
 };
 
 // n values between -1 and 1
 std::vector<double> random_field(int n, unsigned seed);
 // f at every point of the cloud
-std::vector<double> sample(const Cloud &cloud, const std::function<double(const Point &)> &f);
+std::vector<double> sample(const PointSet &cloud, const std::function<double(const Point &)> &f);
 // three components per point
-std::vector<double> sample_vector(const Cloud &cloud, const std::function<Point(const Point &)> &f);
+std::vector<double> sample_vector(const PointSet &cloud,
+                                  const std::function<Point(const Point &)> &f);
 
 }    // namespace aleisph_test
 #endif

@@ -50,7 +50,7 @@ struct Pair {
   Real r2;
 };
 
-std::vector<Pair> pairs_of(const Kernel &kernel, double volume, const Cloud &cloud, int i)
+std::vector<Pair> pairs_of(const Kernel &kernel, double volume, const PointSet &cloud, int i)
 {
   std::vector<Pair> pairs;
   for (int j = 0; j < cloud.total(); j++) {
@@ -189,7 +189,7 @@ std::vector<Real> laplacian_weights(const std::vector<Pair> &pairs,
 
 }    // namespace
 
-DenseRow dense_row(const Kernel &kernel, double volume, const Cloud &cloud, int i)
+DenseRow dense_row(const Kernel &kernel, double volume, const PointSet &cloud, int i)
 {
   const int D = kernel.dim();
   const std::vector<Pair> pairs = pairs_of(kernel, volume, cloud, i);

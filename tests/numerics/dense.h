@@ -20,7 +20,7 @@ struct DenseRow {
   double condition = 0.0;    // 2-norm condition number of the map B -> B:[...] of eq. 14
 };
 
-DenseRow dense_row(const aleisph::Kernel &kernel, double volume, const Cloud &cloud, int i);
+DenseRow dense_row(const aleisph::Kernel &kernel, double volume, const PointSet &cloud, int i);
 
 }    // namespace aleisph_test
 #endif

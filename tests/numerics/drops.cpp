@@ -165,11 +165,17 @@ void Drop::add_ghosts(const Point &period)
 
 void Drop::detect(const Neighbours &near)
 {
-  s_.build(Kernel(KernelType::CUBIC_SPLINE, dim_, SMOOTHING * d_), owned_, near.x(), near.list());
-  g_.build(s_, volume_);
-  Rows fluid(owned_);
-  std::iota(fluid.begin(), fluid.end(), 0);
-  detect_surface(s_, g_, fluid, d_, SurfaceParams(), role_.data(), N_.data());
+  static Timers timers;    // nobody looks at them
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, dim_, SMOOTHING * d_), d_, timers);
+  cloud.reset(owned_, static_cast<int>(points_.size()));
+  set_particles(cloud, role_, N_);
+  cloud.update(near.x(), near.list());
+  detect_surface(cloud, SurfaceParams());
+  std::copy_n(cloud.role(), cloud.size(), role_.begin());
+  std::copy_n(cloud.normal(), 3 * cloud.size(), N_.begin());
+  s_ = cloud.stencil();
+  g_ = cloud.gradient();
+  const Rows fluid = cloud.fluid();
   for (size_t j = 0; j < role_.size(); j++) role_[j] = role_[owner_[j]];
   surface_ = surface_rows(fluid, role_.data());
   PairFilter filter;

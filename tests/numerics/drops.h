@@ -14,7 +14,7 @@
 
 namespace aleisph_test {
 
-// As Cloud, but with cells: for the ten thousand particles of a ball
+// As PointSet, but with cells: for the ten thousand particles of a ball
 class Neighbours {
  public:
   Neighbours(const Points &points, int owned, double reach);

@@ -17,14 +17,17 @@ namespace {
 
 void sweep(const Scene &scene, const std::vector<double> &previous, Normals &result)
 {
-  const Discretized ops(scene, LaplacianLimits(), false);
+  Discretized ops(scene, LaplacianLimits(), false);
+  std::copy(result.n.begin(), result.n.end(), ops.cloud().normal());
+  std::copy(result.shape.begin(), result.shape.end(), ops.cloud().shape());
   const auto is_known = [&result](int i) { return result.shape[i] != 0.0; };
   Rows left = scene.rows(WALL);
   for (;;) {
     left.erase(std::remove_if(left.begin(), left.end(), is_known), left.end());
-    const NormalCount count = wall_normals(ops.s(), left, scene.role.data(), scene.d, FanParams(),
-                                           previous.empty() ? nullptr : previous.data(),
-                                           result.n.data(), result.shape.data(), result.status);
+    const NormalCount count = wall_normals(
+        ops.s(), left, previous.empty() ? nullptr : previous.data(), ops.cloud(), result.status);
+    std::copy_n(ops.cloud().normal(), result.n.size(), result.n.begin());
+    std::copy_n(ops.cloud().shape(), result.shape.size(), result.shape.begin());
     if (!count.found) return;
     result.sweeps++;
     result.contradictory += static_cast<int>(count.contradictory.size());

@@ -87,24 +87,16 @@ Scene splash(int dim, const SplashParams &params, unsigned seed)
 }
 
 FreeSurfaceFlow::FreeSurfaceFlow(const Scene &scene) :
-    scene_(without_dry_walls(scene)), fluid_(scene_.rows(FLUID)),
-    volume_(std::pow(scene_.d, scene_.dim))
+    scene_(without_dry_walls(scene)), cloud_(Discretized(scene_, LaplacianLimits(), false).cloud())
 {
-  const double d = scene_.d;
-  const Kernel kernel(KernelType::CUBIC_SPLINE, scene_.dim, 1.2 * d);
-  const Cloud cloud(scene_.points, size(), kernel.support());
-  s_.build(kernel, size(), cloud.x(), cloud.list());
-  g_.build(s_, volume_, fluid_, FLOOR);
-  detect_surface(s_, g_, fluid_, d, SurfaceParams(), scene_.role.data(), scene_.normal.data());
-  l_.build(s_, g_, fluid_, kernel, d, LaplacianLimits(), role());
-  inverse_.assign(6 * static_cast<size_t>(size()), 0.0);
-  std::copy_n(g_.inverse(), inverse_.size(), inverse_.begin());
+  cloud_.set_floor(FLOOR);
+  detect_surface(cloud_, SurfaceParams());
 }
 
 std::vector<double> FreeSurfaceFlow::gradient(const double *p) const
 {
   std::vector<double> grad(3 * static_cast<size_t>(size()), 0.0);
-  aleisph::gradient(s_, g_, fluid_, p, grad.data());
+  aleisph::gradient(cloud_, fluid(), p, grad.data());
   return grad;
 }
 
@@ -112,9 +104,9 @@ int FreeSurfaceFlow::correct_self_term(SelfTerm kind, const double *p,
                                        std::vector<double> &grad) const
 {
   if (kind == SelfTerm::PUBLISHED) return 0;
-  return aleisph::correct_self_term(s_, g_, fluid_, role(), normal(), inverse(), volume_, scene_.d,
-                                    SelfTermParams(), p, grad.data(),
-                                    kind == SelfTerm::BOUNDED ? &l_ : nullptr);
+  SelfTermParams params;
+  params.bounded = kind == SelfTerm::BOUNDED;
+  return aleisph::correct_self_term(cloud_, params, inverse(), p, grad.data());
 }
 
 namespace {
@@ -124,8 +116,7 @@ std::vector<double> guarded_gradient(const FreeSurfaceFlow &flow, const Vector &
 {
   std::vector<double> grad = flow.gradient(p.data());
   flow.correct_self_term(kind, p.data(), grad);
-  symmetric_gradient(flow.s(), flow.g(), flow.fluid(), flow.volume(), FreeSurfaceFlow::SYMMETRIC,
-                     p.data(), grad.data());
+  symmetric_gradient(flow.cloud(), flow.fluid(), FreeSurfaceFlow::SYMMETRIC, p.data(), grad.data());
   for (const int i : flow.fluid())
     if (flow.role()[i] & BALLISTIC) std::fill_n(&grad[3 * i], 3, 0.0);
   return grad;
@@ -143,8 +134,7 @@ Eigen::MatrixXd projection(const FreeSurfaceFlow &flow, SelfTerm kind, double su
   options.min_wall_fluid = 2;
   CsrMatrix A;
   std::vector<RowType> type;
-  assemble_ppe(flow.s(), flow.g(), weights(flow.l(), flow.s()), flow.role(), flow.normal(), d, A,
-               type, options);
+  assemble_ppe(flow.cloud(), weights(flow.l(), flow.s()), options, A, type);
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd(to_eigen(A)));
 
   const int m = static_cast<int>(flow.fluid().size()) * dim;
@@ -154,11 +144,14 @@ Eigen::MatrixXd projection(const FreeSurfaceFlow &flow, SelfTerm kind, double su
   Eigen::MatrixXd P = Eigen::MatrixXd::Identity(m, m);
   for (int c = 0; c < m; c++) {
     v[unknown(c)] = 1.0;
-    divergence(flow.s(), flow.g(), flow.fluid(), v.data(), flow.role(), flow.normal(), div.data());
+    divergence(flow.cloud(), flow.fluid(), v.data(), div.data());
     v[unknown(c)] = 0.0;
     Vector b(n);
-    ppe_rhs(type, flow.normal(), zero.data(), zero.data(), div.data(), zero.data(), d, 1.0,
-            b.data());
+    PpeFields fields;
+    fields.rho_over_dt = 1.0;
+    fields.vstar = fields.vwall = fields.p = zero.data();
+    fields.div = div.data();
+    ppe_rhs(flow.cloud(), type, fields, b.data());
     const std::vector<double> grad = guarded_gradient(flow, lu.solve(b), kind);
     for (int r = 0; r < m; r++) P(r, c) -= grad[unknown(r)];
   }

@@ -42,15 +42,16 @@ class FreeSurfaceFlow {
   FreeSurfaceFlow &operator=(const FreeSurfaceFlow &) = delete;
 
   const Scene &scene() const { return scene_; }
-  const aleisph::Role *role() const { return scene_.role.data(); }
-  const double *normal() const { return scene_.normal.data(); }
-  const aleisph::Stencil &s() const { return s_; }
-  const aleisph::GradientWeights &g() const { return g_; }
-  const aleisph::LaplacianWeights &l() const { return l_; }
-  const aleisph::Rows &fluid() const { return fluid_; }
-  const double *inverse() const { return inverse_.data(); }
-  double volume() const { return volume_; }
-  int size() const { return static_cast<int>(scene_.points.size()); }
+  const aleisph::Cloud &cloud() const { return cloud_; }
+  const aleisph::Role *role() const { return cloud_.role(); }
+  const double *normal() const { return cloud_.normal(); }
+  const aleisph::Stencil &s() const { return cloud_.stencil(); }
+  const aleisph::GradientWeights &g() const { return cloud_.gradient(); }
+  const aleisph::LaplacianWeights &l() const { return cloud_.laplacian(); }
+  const aleisph::Rows &fluid() const { return cloud_.fluid(); }
+  const double *inverse() const { return g().inverse(); }
+  double volume() const { return cloud_.volume(); }
+  int size() const { return cloud_.size(); }
 
   std::vector<double> gradient(const double *p) const;    // without guards
   // adds the correction; returns the rows changed
@@ -61,12 +62,7 @@ class FreeSurfaceFlow {
 
  private:
   Scene scene_;
-  aleisph::Rows fluid_;
-  double volume_;
-  aleisph::Stencil s_;
-  aleisph::GradientWeights g_;
-  aleisph::LaplacianWeights l_;
-  std::vector<double> inverse_;
+  aleisph::Cloud cloud_;
 };
 
 // surface_offset: of the free surface from its particles, in spacings

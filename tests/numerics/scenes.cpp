@@ -207,24 +207,25 @@ struct Candidates {
   }
 };
 
+Cloud scene_cloud(const Scene &scene)
+{
+  static Timers timers;    // nobody looks at them
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, scene.dim, 1.2 * scene.d), scene.d, timers);
+  const Candidates c(scene.points, cloud.kernel().support());
+  const int n = static_cast<int>(scene.points.size());
+  cloud.reset(n, n);
+  set_particles(cloud, scene.role, scene.normal);
+  cloud.update(c.x.data(), {c.count.data(), c.first.data(), 0x1FFFFFFF});
+  return cloud;
+}
+
 }    // namespace
 
 Discretized::Discretized(const Scene &scene, const LaplacianLimits &limits, bool laplacian) :
-    kernel_(KernelType::CUBIC_SPLINE, scene.dim, 1.2 * scene.d)
+    cloud_(scene_cloud(scene))
 {
-  const Candidates c(scene.points, kernel_.support());
-  const double volume = std::pow(scene.d, scene.dim);
-  s_.build(kernel_, static_cast<int>(scene.points.size()), c.x.data(),
-           {c.count.data(), c.first.data(), 0x1FFFFFFF});
-  g_.build(s_, volume);
-  if (laplacian) l_.build(s_, g_, scene.rows(FLUID), kernel_, scene.d, limits);
-}
-
-Rows Discretized::all() const
-{
-  Rows rows;
-  for (int i = 0; i < s_.rows(); i++) rows.push_back(i);
-  return rows;
+  cloud_.set_limits(limits);
+  if (laplacian) cloud_.laplacian();
 }
 
 }    // namespace aleisph_test

@@ -51,17 +51,16 @@ class Discretized {
   explicit Discretized(const Scene &scene,
                        const aleisph::LaplacianLimits &limits = aleisph::LaplacianLimits(),
                        bool laplacian = true);
-  const aleisph::Kernel &kernel() const { return kernel_; }
-  const aleisph::Stencil &s() const { return s_; }
-  const aleisph::GradientWeights &g() const { return g_; }
-  const aleisph::LaplacianWeights &l() const { return l_; }
-  aleisph::Rows all() const;
+  const aleisph::Cloud &cloud() const { return cloud_; }
+  aleisph::Cloud &cloud() { return cloud_; }
+  const aleisph::Kernel &kernel() const { return cloud_.kernel(); }
+  const aleisph::Stencil &s() const { return cloud_.stencil(); }
+  const aleisph::GradientWeights &g() const { return cloud_.gradient(); }
+  const aleisph::LaplacianWeights &l() const { return cloud_.laplacian_rows(); }
+  const aleisph::Rows &all() const { return cloud_.all(); }
 
  private:
-  aleisph::Kernel kernel_;
-  aleisph::Stencil s_;
-  aleisph::GradientWeights g_;
-  aleisph::LaplacianWeights l_;
+  aleisph::Cloud cloud_;
 };
 
 }    // namespace aleisph_test

@@ -73,15 +73,21 @@ Scene filled_tank(int dim, int n, int level)
   return scene;
 }
 
-Shifting::Shifting(Scene scene, KernelType type, double h_over_d) :
-    scene_(std::move(scene)), kernel_(type, scene_.dim, h_over_d * scene_.d),
-    volume_(std::pow(scene_.d, scene_.dim)), fluid_(scene_.rows(FLUID))
+namespace {
+
+Cloud scene_cloud(const Scene &scene, const Kernel &kernel)
 {
-  const Cloud cloud(scene_.points, size(), kernel_.support());
-  PairFilter filter;
-  filter.role = scene_.role.data();
-  filter.drop = DRY;
-  s_.build(kernel_, size(), cloud.x(), cloud.list(), filter);
+  const int n = static_cast<int>(scene.points.size());
+  return make_cloud(kernel, scene.d, PointSet(scene.points, n, kernel.support()),
+                    {scene.role, scene.normal, true});
+}
+
+}    // namespace
+
+Shifting::Shifting(Scene scene, KernelType type, double h_over_d) :
+    scene_(std::move(scene)),
+    cloud_(scene_cloud(scene_, Kernel(type, scene_.dim, h_over_d * scene_.d)))
+{
 }
 
 int Shifting::nearest(const Point &x) const
@@ -95,8 +101,7 @@ int Shifting::nearest(const Point &x) const
 std::vector<double> Shifting::deviation(bool published) const
 {
   std::vector<double> eps(size(), 0.0);
-  density_deviation(s_, kernel_, fluid_, scene_.role.data(), scene_.normal.data(), volume_,
-                    scene_.d, published, eps.data());
+  density_deviation(cloud_, published, eps.data());
   return eps;
 }
 
@@ -104,9 +109,7 @@ std::vector<double> Shifting::shift(const ShiftParams &params, const std::vector
                                     const std::vector<double> &v, ShiftCount *count) const
 {
   std::vector<double> dr(3 * size(), 0.0);
-  const ShiftCount counted = compute_shift(s_, kernel_, fluid_, scene_.role.data(),
-                                           scene_.normal.data(), eps.data(), v.data(), volume_,
-                                           scene_.d, params, dr.data());
+  const ShiftCount counted = compute_shift(cloud_, params, eps.data(), v.data(), dr.data());
   if (count) *count = counted;
   return dr;
 }
@@ -115,8 +118,7 @@ std::vector<double> Shifting::filter(const std::vector<double> &v,
                                      const std::vector<double> &grad_v) const
 {
   std::vector<double> out(3 * size(), 0.0);
-  surface_velocity_filter(s_, kernel_, fluid_, scene_.role.data(), v.data(), grad_v.data(), volume_,
-                          out.data());
+  surface_velocity_filter(cloud_, fluid(), v.data(), grad_v.data(), out.data());
   return out;
 }
 

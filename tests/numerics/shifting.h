@@ -26,11 +26,12 @@ class Shifting {
                     double h_over_d = 1.2);
 
   const Scene &scene() const { return scene_; }
-  const aleisph::Kernel &kernel() const { return kernel_; }
-  const aleisph::Stencil &s() const { return s_; }
-  const aleisph::Rows &fluid() const { return fluid_; }
+  const aleisph::Cloud &cloud() const { return cloud_; }
+  const aleisph::Kernel &kernel() const { return cloud_.kernel(); }
+  const aleisph::Stencil &s() const { return cloud_.stencil(); }
+  const aleisph::Rows &fluid() const { return cloud_.fluid(); }
   int size() const { return static_cast<int>(scene_.points.size()); }
-  double volume() const { return volume_; }
+  double volume() const { return cloud_.volume(); }
   int nearest(const Point &x) const;    // the particle closest to x
 
   std::vector<double> deviation(bool published) const;
@@ -42,10 +43,7 @@ class Shifting {
 
  private:
   Scene scene_;
-  aleisph::Kernel kernel_;
-  double volume_;
-  aleisph::Stencil s_;
-  aleisph::Rows fluid_;
+  aleisph::Cloud cloud_;
 };
 
 constexpr aleisph::ShiftModel MODELS[] = {aleisph::ShiftModel::DENSITY, aleisph::ShiftModel::OPS,

@@ -199,7 +199,7 @@ TEST(ContactCurvatureTest, NormalsAreMixedByShare)
 TEST(ContactTipTest, IsBoundByFluidAndWall)
 {
   const Points points = {{0, 0.8 * D, 0}, {D, 0.9 * D, 0}, {0, 0, 0}, {D, 0, 0}, {3 * D, D, 0}};
-  const Cloud cloud(points, 5, 2.4 * D);
+  const PointSet cloud(points, 5, 2.4 * D);
   Stencil s;
   s.build(Kernel(KernelType::CUBIC_SPLINE, 2, H), 5, cloud.x(), cloud.list());
   const Role spray = FLUID | SURFACE | BALLISTIC;

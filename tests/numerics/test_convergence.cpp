@@ -46,7 +46,7 @@ Errors errors(KernelType type, int dim, double d, double amplitude)
   int owned = 0;
   while (std::hypot(points[owned][0], points[owned][1], points[owned][2]) < 3.01 * d) owned++;
   jitter(points, dim, amplitude * d, 17);
-  const Cloud cloud(points, owned, kernel.support());
+  const PointSet cloud(points, owned, kernel.support());
   const Discrete op(kernel, d, cloud);
 
   // in 2d the wave is constant in z
@@ -56,10 +56,9 @@ Errors errors(KernelType type, int dim, double d, double amplitude)
     f.push_back(wave(p).value);
     v.insert(v.end(), {wave(p).value, 0.0, 0.0});
   }
-  const std::vector<Role> role(cloud.total(), FLUID);
   std::vector<double> grad(3 * owned), lap(3 * owned);
-  gradient(op.s(), op.g(), cloud.rows(), f.data(), grad.data());
-  laplacian(op.s(), op.l(), cloud.rows(), v.data(), role.data(), lap.data());
+  gradient(op.cloud(), cloud.rows(), f.data(), grad.data());
+  laplacian(op.cloud(), cloud.rows(), v.data(), lap.data());
 
   Errors e = {0.0, 0.0};
   for (int i = 0; i < owned; i++) {

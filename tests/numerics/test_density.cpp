@@ -302,9 +302,7 @@ namespace {
 std::vector<Eigen::Vector3d> images_of_first(const Scene &scene, bool surface = true)
 {
   const Shifting shifting(scene);
-  return Images(shifting.s(), scene.role.data(), scene.normal.data(), scene.d,
-                shifting.kernel().support(), surface)
-      .of(0);
+  return Images(shifting.cloud(), surface).of(0);
 }
 
 Scene at_origin(Role role = FLUID)

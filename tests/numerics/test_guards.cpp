@@ -71,13 +71,11 @@ struct Collision {
 Collision collide(const Scene &scene, const Field &v)
 {
   const Discretized op(scene, LaplacianLimits(), false);
-  const Rows fluid = scene.rows(FLUID);
   Collision c;
   c.n.assign(scene.points.size(), 0.0);
   c.dv = zeros(scene);
-  count_approaching(op.s(), fluid, scene.role.data(), v.data(), REACH, c.n.data());
-  c.changed = aleisph::collide(op.s(), fluid, scene.role.data(), v.data(), c.n.data(), REACH,
-                               c.dv.data());
+  count_approaching(op.cloud(), v.data(), REACH, c.n.data());
+  c.changed = aleisph::collide(op.cloud(), v.data(), c.n.data(), REACH, c.dv.data());
   return c;
 }
 
@@ -239,11 +237,11 @@ struct Held {
 // v: of fluid and wall; the fluid's transport velocity is w
 Held hold(const Scene &scene, const Field &v, const Field &w, const Field &convex)
 {
-  const Discretized op(scene, LaplacianLimits(), false);
+  Discretized op(scene, LaplacianLimits(), false);
+  for (size_t j = 0; j < convex.size(); j++) op.cloud().shape()[j] = convex[j] != 0.0 ? 0.7 : 1.0;
   Held h;
   h.dv = h.dw = h.end = zeros(scene);
-  h.count = hold_off_walls(op.s(), scene.rows(FLUID), scene.role.data(), scene.normal.data(),
-                           convex.data(), v.data(), w.data(), D, Q, DT, h.dv.data(), h.dw.data());
+  h.count = hold_off_walls(op.cloud(), {Q, DT, v.data(), w.data()}, h.dv.data(), h.dw.data());
   for (int i : scene.rows(FLUID)) set(h.end, i, position(scene, i) + DT * (at(w, i) + at(h.dw, i)));
   return h;
 }

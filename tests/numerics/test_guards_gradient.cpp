@@ -268,13 +268,12 @@ TEST(SelfTerm, ResponseOnTheLattice)
 TEST(SymmetricGradient, ConservesMomentum)
 {
   for (int dim : {2, 3}) {
-    const Cloud cloud = block(dim, dim == 2 ? 6 : 3, 3);
+    const PointSet cloud = block(dim, dim == 2 ? 6 : 3, 3);
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
     const Discrete op(kernel, D, cloud);
     const Field p = random_field(cloud.total(), 5);
     Field grad(3 * p.size(), 0.0);
-    const int rows = symmetric_gradient(op.s(), op.g(), cloud.rows(), op.volume(), 2.0, p.data(),
-                                        grad.data());
+    const int rows = symmetric_gradient(op.cloud(), cloud.rows(), 2.0, p.data(), grad.data());
     EXPECT_EQ(rows, cloud.owned());
     Vec3 sum = Vec3::Zero();
     double size = 0.0;
@@ -292,8 +291,7 @@ TEST(SymmetricGradient, ReplacesRowsBelowTheLimitOnly)
   const FreeSurfaceFlow flow(splash(2, shape(2), 4));
   const Field p = random_pressure(flow, 4), before = flow.gradient(p.data());
   Field grad = before;
-  const int rows = symmetric_gradient(flow.s(), flow.g(), flow.fluid(), flow.volume(), 0.35,
-                                      p.data(), grad.data());
+  const int rows = symmetric_gradient(flow.cloud(), flow.fluid(), 0.35, p.data(), grad.data());
   int below = 0;
   for (int i : flow.fluid()) {
     Vec3 expected = at(before.data(), i);

@@ -25,13 +25,12 @@ namespace {
 constexpr double EPS = std::numeric_limits<double>::epsilon();
 
 // (lap f)_i of a scalar field
-double scalar_laplacian(const Discrete &op, const Cloud &cloud, int i,
+double scalar_laplacian(const Discrete &op, const PointSet &cloud, int i,
                         const std::function<double(const Point &)> &f)
 {
   const auto v = sample_vector(cloud, [&](const Point &p) -> Point { return {f(p), 0.0, 0.0}; });
-  const std::vector<Role> role(cloud.total(), FLUID);
   std::vector<double> lap(3 * cloud.owned());
-  laplacian(op.s(), op.l(), {i}, v.data(), role.data(), lap.data());
+  laplacian(op.cloud(), {i}, v.data(), lap.data());
   return lap[3 * i];
 }
 
@@ -57,7 +56,7 @@ TEST(Laplacian, ExactForQuadraticFields)
       for (int planes = 0; planes <= dim; planes++)
         for (unsigned seed = 1; seed <= 20; seed++) {
           const Kernel kernel(type, dim, H);
-          const Cloud cloud = one_row(kernel, planes, 0.2 * D, seed);
+          const PointSet cloud = one_row(kernel, planes, 0.2 * D, seed);
           const Discrete op(kernel, D, cloud);
           ASSERT_EQ(op.l().morris_count().total(), 0);
           const double tolerance = exactness(op.l().condition(0));
@@ -84,7 +83,7 @@ TEST(Laplacian, VanishesForLinearFields)
     for (KernelType type : KERNELS)
       for (int planes = 0; planes <= dim; planes++) {
         const Kernel kernel(type, dim, H);
-        const Cloud cloud = one_row(kernel, planes, 0.2 * D, 31);
+        const PointSet cloud = one_row(kernel, planes, 0.2 * D, 31);
         const Discrete op(kernel, D, cloud);
         for (int a = 0; a < dim; a++) {
           const double lap = scalar_laplacian(op, cloud, 0,
@@ -103,7 +102,7 @@ TEST(Laplacian, WeightsAgreeWithTheDenseEvaluation)
   for (int dim : {2, 3})
     for (KernelType type : KERNELS) {
       const Kernel kernel(type, dim, H);
-      const Cloud cloud = block(dim, dim == 2 ? 4 : 2, 11);
+      const PointSet cloud = block(dim, dim == 2 ? 4 : 2, 11);
       const Discrete op(kernel, D, cloud);
       for (int i = 0; i < cloud.owned(); i += 4) {
         const DenseRow row = dense_row(kernel, op.volume(), cloud, i);
@@ -128,7 +127,7 @@ TEST(Laplacian, ConditionNumberDecidesInTheTwoNorm)
   for (int dim : {2, 3})
     for (int planes : {0, 1}) {
       const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
-      const Cloud cloud = one_row(kernel, planes, 0.2 * D, 5);
+      const PointSet cloud = one_row(kernel, planes, 0.2 * D, 5);
       const double exact = dense_row(kernel, std::pow(D, dim), cloud, 0).condition;
       LaplacianLimits limits = no_limits();
       for (double factor : {1.0 + 1e-6, 1.0 - 1e-6}) {
@@ -146,14 +145,14 @@ TEST(Laplacian, RotatesWithTheCloud)
 {
   for (int dim : {2, 3}) {
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
-    const Cloud cloud = one_row(kernel, 1, 0.1 * D, 7);
+    const PointSet cloud = one_row(kernel, 1, 0.1 * D, 7);
     const double c = std::cos(0.7), s = std::sin(0.7);
     Points turned = cloud.points();
     for (Point &p : turned) {
       p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
       if (dim == 3) p = {p[0], c * p[1] - s * p[2], s * p[1] + c * p[2]};
     }
-    const Cloud other(turned, 1, 2.0 * kernel.support());    // the stencil sorts out the rest
+    const PointSet other(turned, 1, 2.0 * kernel.support());    // the stencil sorts out the rest
     const Discrete op(kernel, D, cloud), rotated(kernel, D, other);
     const double tolerance = exactness(op.l().condition(0));
     ASSERT_EQ(op.s().pairs(), rotated.s().pairs());
@@ -171,12 +170,13 @@ TEST(Laplacian, RotatesWithTheCloud)
 TEST(Laplacian, UnlistedRowsAreZero)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, H);
-  const Cloud cloud = block(2, 3, 2);
+  const PointSet cloud = block(2, 3, 2);
   Discrete op(kernel, D, cloud);
   LaplacianWeights l;
-  l.build(op.s(), op.g(), cloud.rows(), kernel, D, LaplacianLimits());
+  const LaplacianBounds bounds = laplacian_bounds(LaplacianLimits(), kernel, D);
+  l.build(op.s(), op.g(), cloud.rows(), bounds);
   const int all = l.morris_count().total();
-  l.build(op.s(), op.g(), {4, 2}, kernel, D, LaplacianLimits());    // forgets the rest
+  l.build(op.s(), op.g(), {4, 2}, bounds);    // forgets the rest
   EXPECT_LT(l.morris_count().total(), all);
   for (int i = 0; i < cloud.owned(); i++) {
     const bool listed = i == 2 || i == 4;
@@ -245,7 +245,7 @@ TEST(Morris, FormulaAndEigenvalues)
   for (int dim : {2, 3})
     for (KernelType type : KERNELS) {
       const Kernel kernel(type, dim, H);
-      const Cloud cloud = block(dim, dim == 2 ? 4 : 2, 3);
+      const PointSet cloud = block(dim, dim == 2 ? 4 : 2, 3);
       const Discrete op(kernel, D, cloud, morris_everywhere());
       EXPECT_EQ(op.l().morris_count().lambda, cloud.owned());
       for (int k = 0; k < op.s().pairs(); k++) {
@@ -270,14 +270,14 @@ TEST(Morris, LimitsRemoveWrongEigenvalues)
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
     const Points points = lattice(dim, dim == 2 ? 6 : 3, D);
     const int n = static_cast<int>(points.size());
-    const Cloud regular(points, n, kernel.support());
+    const PointSet regular(points, n, kernel.support());
     const double wrong = largest_real_part(matrix(Discrete(kernel, D, regular)));
     EXPECT_NEAR(wrong, expected[dim - 2], 0.005 * wrong);
     const Discrete safe(kernel, D, regular, LaplacianLimits());
     EXPECT_LT(largest_real_part(matrix(safe)), 1e-12);
 
     for (unsigned seed : {1u, 2u, 3u}) {
-      const Cloud jittered = block(dim, dim == 2 ? 6 : 2, seed);
+      const PointSet jittered = block(dim, dim == 2 ? 6 : 2, seed);
       EXPECT_GT(largest_real_part(matrix(Discrete(kernel, D, jittered))), 1.0);
       const Discrete op(kernel, D, jittered, LaplacianLimits());
       EXPECT_LT(largest_real_part(matrix(op)), 1e-11);
@@ -356,7 +356,7 @@ TEST(Morris, SingularSystem)
   LaplacianLimits usual;
   usual.min_lambda = 0.4;    // lambda = 0.493 must not be the reason
   for (const LaplacianLimits &limits : {usual, no_limits()}) {
-    const Discrete op(kernel, D, Cloud(cross, 1, kernel.support()), limits);
+    const Discrete op(kernel, D, PointSet(cross, 1, kernel.support()), limits);
     EXPECT_EQ(op.g().singular(), 0);
     EXPECT_GT(op.g().lambda(0), 0.49);
     EXPECT_EQ(op.l().morris_count().condition, 1);
@@ -376,8 +376,8 @@ TEST(LaplacianOperator, SumsOverAllButSlipNeighbours)
 {
   for (int dim : {2, 3}) {
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
-    const Cloud cloud = block(dim, 3, 8);
-    const Discrete op(kernel, D, cloud);
+    const PointSet cloud = block(dim, 3, 8);
+    Discrete op(kernel, D, cloud);
     const int n = cloud.owned();
     const auto v = random_field(3 * n, 1);
     std::vector<Role> role(n, FLUID);
@@ -386,7 +386,8 @@ TEST(LaplacianOperator, SumsOverAllButSlipNeighbours)
     std::vector<double> lap(3 * n, -77.0);
     Rows rows;
     for (int i = 0; i < n; i += 5) rows.push_back(i);
-    laplacian(op.s(), op.l(), rows, v.data(), role.data(), lap.data());
+    set_particles(op.cloud(), role);
+    laplacian(op.cloud(), rows, v.data(), lap.data());
     for (int i = 0; i < n; i++) {
       if (i % 5 != 0) {    // not listed: untouched
         for (int a = 0; a < 3; a++) EXPECT_EQ(lap[3 * i + a], -77.0);

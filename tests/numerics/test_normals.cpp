@@ -243,14 +243,14 @@ TEST(Normals, LonelyWallParticle)
 TEST(Normals, WritesTheListedRowsOnly)
 {
   const Scene box = closed_box(2, 6);
-  const Discretized ops(box, LaplacianLimits(), false);
-  std::vector<double> n(3 * box.points.size(), 7.0), shape(box.points.size(), 7.0);
+  Discretized ops(box, LaplacianLimits(), false);
+  std::fill_n(ops.cloud().normal(), 3 * box.points.size(), 7.0);
+  std::fill_n(ops.cloud().shape(), box.points.size(), 7.0);
   std::vector<NormalStatus> status(box.points.size(), NormalStatus::UNKNOWN);
   const int i = box.rows(WALL)[3];
-  EXPECT_EQ(wall_normals(ops.s(), {i}, box.role.data(), box.d, FanParams(), nullptr, n.data(),
-                         shape.data(), status)
-                .found,
-            1);
+  EXPECT_EQ(wall_normals(ops.s(), {i}, nullptr, ops.cloud(), status).found, 1);
+  const std::vector<double> n(ops.cloud().normal(), ops.cloud().normal() + 3 * box.points.size());
+  const std::vector<double> shape(ops.cloud().shape(), ops.cloud().shape() + box.points.size());
   EXPECT_EQ(status[i], NormalStatus::FAN);
   EXPECT_EQ(std::count(n.begin(), n.end(), 7.0), static_cast<long>(n.size()) - 3);
   EXPECT_EQ(std::count(shape.begin(), shape.end(), 7.0), static_cast<long>(shape.size()) - 1);

@@ -313,10 +313,9 @@ TEST(DryNormals, ShapesOfGivenNormals)
 {
   for (const Blocks &blocks : obstacles()) {
     const BlockScene scene = fill(blocks, wet_to(0));
-    const Discretized ops(scene, LaplacianLimits(), false);
-    std::vector<double> shape(scene.points.size(), 7.0);
-    wall_shapes(ops.s(), scene.rows(WALL), scene.role.data(), scene.d, FanParams(),
-                scene.normal.data(), shape.data());
+    Discretized ops(scene, LaplacianLimits(), false);
+    wall_shapes(ops.s(), scene.rows(WALL), ops.cloud());
+    const double *shape = ops.cloud().shape();
     for (int i : scene.rows(WALL)) EXPECT_NEAR(shape[i], scene.shape[i], ROUNDING) << blocks.name;
   }
 }

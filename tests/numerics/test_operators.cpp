@@ -27,7 +27,7 @@ Points affine_matrix(int dim)
 }
 
 // v = b + A x/D
-std::vector<double> affine_field(const Cloud &cloud, const Points &A)
+std::vector<double> affine_field(const PointSet &cloud, const Points &A)
 {
   return sample_vector(cloud, [&](const Point &p) {
     Point v = {0.3, -0.2, 0.1};
@@ -48,14 +48,14 @@ TEST(Gradient, ExactForLinearFields)
       for (int planes = 0; planes <= dim; planes++)
         for (unsigned seed = 1; seed <= 20; seed++) {
           const Kernel kernel(type, dim, H);
-          const Cloud cloud = one_row(kernel, planes, 0.2 * D, seed);
+          const PointSet cloud = one_row(kernel, planes, 0.2 * D, seed);
           const Discrete op(kernel, D, cloud);
           const Point c = {1.7, -0.6, dim == 3 ? 0.9 : 0.0};
           const auto f = sample(cloud, [&](const Point &p) {
             return 4.0 + (c[0] * p[0] + c[1] * p[1] + c[2] * p[2]) / D;
           });
           double grad[3] = {7.0, 7.0, 7.0};
-          gradient(op.s(), op.g(), {0}, f.data(), grad);
+          gradient(op.cloud(), {0}, f.data(), grad);
           for (int a = 0; a < 3; a++)
             ASSERT_NEAR(grad[a] * D, c[a], 1e-12) << dim << "d, kernel " << static_cast<int>(type)
                                                   << ", " << SUPPORT[planes] << ", seed " << seed;
@@ -67,7 +67,7 @@ TEST(Gradient, WeightsAgreeWithTheDenseEvaluation)
   for (int dim : {2, 3})
     for (KernelType type : KERNELS) {
       const Kernel kernel(type, dim, H);
-      const Cloud cloud = block(dim, dim == 2 ? 4 : 2, 11);
+      const PointSet cloud = block(dim, dim == 2 ? 4 : 2, 11);
       const Discrete op(kernel, D, cloud);
       for (int i = 0; i < cloud.owned(); i += 5) {
         const DenseRow row = dense_row(kernel, op.volume(), cloud, i);
@@ -83,11 +83,11 @@ TEST(Gradient, WeightsAgreeWithTheDenseEvaluation)
 TEST(Gradient, WritesTheListedRowsOnly)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, 3, H);
-  const Cloud cloud = block(3, 2, 2);
+  const PointSet cloud = block(3, 2, 2);
   const Discrete op(kernel, D, cloud);
   const std::vector<double> f = random_field(cloud.total(), 1);
   std::vector<double> grad(3 * cloud.owned(), -77.0);
-  gradient(op.s(), op.g(), {3, 5}, f.data(), grad.data());
+  gradient(op.cloud(), {3, 5}, f.data(), grad.data());
   for (int i = 0; i < cloud.owned(); i++)
     for (int a = 0; a < 3; a++) EXPECT_EQ(grad[3 * i + a] != -77.0, i == 3 || i == 5);
 }
@@ -106,7 +106,7 @@ TEST(Lambda, TellsBulkSurfaceEdgeAndCorner)
       const Discrete op(kernel, D, one_row(kernel, planes, 0.0, 1));
       EXPECT_NEAR(op.g().lambda(0), expected[dim - 2][planes], 0.001) << SUPPORT[planes];
     }
-    const Cloud second(cut(lattice(dim, 4, D), 1, 1.5 * D), 1, kernel.support());
+    const PointSet second(cut(lattice(dim, 4, D), 1, 1.5 * D), 1, kernel.support());
     EXPECT_NEAR(Discrete(kernel, D, second).g().lambda(0), dim == 2 ? 0.934 : 0.941, 0.001);
   }
 }
@@ -135,7 +135,7 @@ void expect_singular(int dim, const Points &points)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
   const int n = static_cast<int>(points.size());
-  const Cloud cloud(points, n, 10.0 * D);
+  const PointSet cloud(points, n, 10.0 * D);
   const Discrete op(kernel, D, cloud);
   EXPECT_EQ(op.g().singular(), n);
   EXPECT_EQ(op.l().morris_count().lambda, n);
@@ -144,9 +144,8 @@ void expect_singular(int dim, const Points &points)
   for (int k = 0; k < op.s().pairs(); k++) EXPECT_LT(op.l().a()[k], 0.0);
   const std::vector<double> f = random_field(3 * n, 3);
   std::vector<double> grad(3 * n, 7.0), lap(3 * n, 7.0);
-  const std::vector<Role> role(n, FLUID);
-  gradient(op.s(), op.g(), cloud.rows(), f.data(), grad.data());
-  laplacian(op.s(), op.l(), cloud.rows(), f.data(), role.data(), lap.data());
+  gradient(op.cloud(), cloud.rows(), f.data(), grad.data());
+  laplacian(op.cloud(), cloud.rows(), f.data(), lap.data());
   for (int i = 0; i < n; i++) {
     EXPECT_NEAR(op.g().lambda(i), 0.0, 1e-15);
     EXPECT_TRUE(op.l().morris(i));
@@ -164,7 +163,7 @@ TEST(SingularRows, OneParticleAlone)
   for (int dim : {2, 3}) {
     expect_singular(dim, {{0.1, 0.2, 0.0}});
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
-    const Discrete op(kernel, D, Cloud({{0.1, 0.2, 0.0}}, 1, D), LaplacianLimits());
+    const Discrete op(kernel, D, PointSet({{0.1, 0.2, 0.0}}, 1, D), LaplacianLimits());
     EXPECT_EQ(op.l().diagonal(0), 0.0);
     EXPECT_EQ(op.l().morris_count().lambda, 1);
   }
@@ -198,7 +197,7 @@ TEST(SingularRows, OthersAreNotAffected)
   Points points = lattice(2, 3, D);
   points.push_back({100.0 * D, 0.0, 0.0});
   const int n = static_cast<int>(points.size());
-  const Discrete op(kernel, D, Cloud(points, n, kernel.support()));
+  const Discrete op(kernel, D, PointSet(points, n, kernel.support()));
   EXPECT_EQ(op.g().singular(), 1);
   EXPECT_EQ(op.g().lambda(n - 1), 0.0);
   EXPECT_GT(op.g().lambda(0), 0.98);
@@ -213,16 +212,15 @@ TEST(VectorOperators, ExactForLinearFields)
   for (int dim : {2, 3})
     for (KernelType type : KERNELS) {
       const Kernel kernel(type, dim, H);
-      const Cloud cloud = block(dim, dim == 2 ? 4 : 2, 4);
+      const PointSet cloud = block(dim, dim == 2 ? 4 : 2, 4);
       const Discrete op(kernel, D, cloud);
       const Points A = affine_matrix(dim);
       const auto v = affine_field(cloud, A);
       const auto c = random_field(3 * cloud.total(), 8);
-      const std::vector<Role> role(cloud.total(), FLUID);
       std::vector<double> div(cloud.owned()), conv(3 * cloud.owned()), rot(3 * cloud.owned());
-      divergence(op.s(), op.g(), cloud.rows(), v.data(), role.data(), nullptr, div.data());
-      convection(op.s(), op.g(), cloud.rows(), c.data(), v.data(), nullptr, nullptr, conv.data());
-      curl(op.s(), op.g(), cloud.rows(), v.data(), rot.data());
+      divergence(op.cloud(), cloud.rows(), v.data(), div.data());
+      convection(op.cloud(), cloud.rows(), c.data(), v.data(), conv.data());
+      curl(op.cloud(), cloud.rows(), v.data(), rot.data());
       const Point omega = {A[2][1] - A[1][2], A[0][2] - A[2][0], A[1][0] - A[0][1]};
       const double trace = A[0][0] + A[1][1] + (dim == 3 ? A[2][2] : 0.0);
       for (int i = 0; i < cloud.owned(); i++) {    // 1e-12: as for the gradient
@@ -241,13 +239,13 @@ TEST(VectorOperators, ExactForLinearFields)
 TEST(VectorOperators, CurlInThePlane)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, H);
-  const Cloud cloud = block(2, 4, 4);
+  const PointSet cloud = block(2, 4, 4);
   const Discrete op(kernel, D, cloud);
   auto v = random_field(3 * cloud.total(), 5), w = v;
   for (int j = 0; j < cloud.total(); j++) v[3 * j + 2] = w[3 * j] = w[3 * j + 1] = 0.0;
   std::vector<double> rot_v(3 * cloud.owned()), rot_w(3 * cloud.owned());
-  curl(op.s(), op.g(), cloud.rows(), v.data(), rot_v.data());
-  curl(op.s(), op.g(), cloud.rows(), w.data(), rot_w.data());
+  curl(op.cloud(), cloud.rows(), v.data(), rot_v.data());
+  curl(op.cloud(), cloud.rows(), w.data(), rot_w.data());
   for (int i = 0; i < cloud.owned(); i++) {
     EXPECT_EQ(rot_v[3 * i], 0.0);
     EXPECT_EQ(rot_v[3 * i + 1], 0.0);
@@ -264,16 +262,15 @@ TEST(VectorOperators, AgreeWithTheDenseEvaluation)
 {
   for (int dim : {2, 3}) {
     const Kernel kernel(KernelType::QUINTIC_SPLINE, dim, H);
-    const Cloud cloud = block(dim, dim == 2 ? 4 : 2, 6);
+    const PointSet cloud = block(dim, dim == 2 ? 4 : 2, 6);
     const Discrete op(kernel, D, cloud);
     const auto v = random_field(3 * cloud.total(), 1), c = random_field(3 * cloud.total(), 2);
-    const std::vector<Role> role(cloud.total(), FLUID);
     const int n = cloud.owned();
     std::vector<double> grad(3 * n), div(n), conv(3 * n), rot(3 * n);
-    gradient(op.s(), op.g(), cloud.rows(), v.data(), grad.data());
-    divergence(op.s(), op.g(), cloud.rows(), v.data(), role.data(), nullptr, div.data());
-    convection(op.s(), op.g(), cloud.rows(), c.data(), v.data(), nullptr, nullptr, conv.data());
-    curl(op.s(), op.g(), cloud.rows(), v.data(), rot.data());
+    gradient(op.cloud(), cloud.rows(), v.data(), grad.data());
+    divergence(op.cloud(), cloud.rows(), v.data(), div.data());
+    convection(op.cloud(), cloud.rows(), c.data(), v.data(), conv.data());
+    curl(op.cloud(), cloud.rows(), v.data(), rot.data());
     for (int i = 0; i < n; i += 7) {
       const DenseRow row = dense_row(kernel, op.volume(), cloud, i);
       double dense_div = 0.0;
@@ -308,8 +305,8 @@ TEST(SlipWall, DivergenceTakesTheNormalPart)
 {
   for (int dim : {2, 3}) {
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
-    const Cloud cloud = block(dim, dim == 2 ? 4 : 2, 3);
-    const Discrete op(kernel, D, cloud);
+    const PointSet cloud = block(dim, dim == 2 ? 4 : 2, 3);
+    Discrete op(kernel, D, cloud);
     const int n = cloud.owned();
     const auto v = random_field(3 * n, 1);
     std::vector<Role> role(n, FLUID);
@@ -322,8 +319,9 @@ TEST(SlipWall, DivergenceTakesTheNormalPart)
       normal[3 * j + 1] = dim == 2 ? s : 0.6 * s;
       normal[3 * j + 2] = dim == 2 ? 0.0 : 0.8;
     }
+    set_particles(op.cloud(), role, normal);
     std::vector<double> div(n);
-    divergence(op.s(), op.g(), cloud.rows(), v.data(), role.data(), normal.data(), div.data());
+    divergence(op.cloud(), cloud.rows(), v.data(), div.data());
     for (int i = 0; i < n; i += 4) {
       const DenseRow row = dense_row(kernel, op.volume(), cloud, i);
       double expected = 0.0;
@@ -343,8 +341,8 @@ TEST(SlipWall, DivergenceTakesTheNormalPart)
 TEST(SlipWall, TangentialVelocityIsNotFelt)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, 3, H);
-  const Cloud cloud(cut(lattice(3, 4, D), 1, 1.5 * D), 1, kernel.support());    // wall: x = d
-  const Discrete op(kernel, D, cloud);
+  const PointSet cloud(cut(lattice(3, 4, D), 1, 1.5 * D), 1, kernel.support());    // wall: x = d
+  Discrete op(kernel, D, cloud);
   std::vector<Role> role(cloud.total(), FLUID);
   std::vector<double> normal(3 * cloud.total(), 0.0), v(3 * cloud.total(), 0.0);
   for (int j = 0; j < cloud.total(); j++) {
@@ -354,10 +352,12 @@ TEST(SlipWall, TangentialVelocityIsNotFelt)
     v[3 * j + 1] = 1000.0 * std::sin(j);
     v[3 * j + 2] = 1000.0 * std::cos(j);
   }
+  set_particles(op.cloud(), role, normal);
   double div = 7.0;
-  divergence(op.s(), op.g(), {0}, v.data(), role.data(), normal.data(), &div);
+  divergence(op.cloud(), {0}, v.data(), &div);
   EXPECT_EQ(div, 0.0);
   for (Role &r : role) r &= ~SLIP;    // the same wall without slip is felt
-  divergence(op.s(), op.g(), {0}, v.data(), role.data(), normal.data(), &div);
+  set_particles(op.cloud(), role, normal);
+  divergence(op.cloud(), {0}, v.data(), &div);
   EXPECT_GT(std::fabs(div) * D, 1.0);
 }

@@ -24,8 +24,7 @@ class Ppe {
  public:
   explicit Ppe(const Scene &scene) : scene_(scene), ops_(scene)
   {
-    rows_ = assemble_ppe(ops_.s(), ops_.g(), weights(ops_.l(), ops_.s()), scene_.role.data(),
-                         scene_.normal.data(), scene_.d, A_, type_);
+    rows_ = assemble_ppe(ops_.cloud(), weights(ops_.l(), ops_.s()), PpeOptions(), A_, type_);
   }
   Ppe(const Ppe &) = delete;
   Ppe &operator=(const Ppe &) = delete;
@@ -95,7 +94,7 @@ TEST(Ppe, RowsAreTheOperators)
     Vector Ap(ppe.size());
     ppe.A().multiply(p.data(), Ap.data());
     std::vector<double> grad(3 * p.size());
-    gradient(ppe.ops().s(), ppe.ops().g(), ppe.ops().all(), p.data(), grad.data());
+    gradient(ppe.ops().cloud(), ppe.ops().all(), p.data(), grad.data());
     const double d = scene.d;
     for (int i = 0; i < p.size(); i++) {
       double expected = p[i];
@@ -177,12 +176,22 @@ TEST(Ppe, RightHandSide)
 {
   const std::vector<RowType> type = {RowType::FLUID, RowType::WALL, RowType::DIRICHLET,
                                      RowType::SINGULAR, RowType::NONE};
-  const double n[] = {9, 9, 9, 0.6, 0, 0.8, 9, 9, 9, 9, 9, 9, 9, 9, 9};
+  const std::vector<double> n = {9, 9, 9, 0.6, 0, 0.8, 9, 9, 9, 9, 9, 9, 9, 9, 9};
   const double vstar[] = {9, 9, 9, 1, 2, 3, 9, 9, 9, 9, 9, 9, 9, 9, 9};
   const double vwall[] = {9, 9, 9, 0.5, 7, 1, 9, 9, 9, 9, 9, 9, 9, 9, 9};
   const double div[] = {0.25, 9, 9, 9, 9}, p[] = {9, 9, 123.0, 9, 9};
   double b[5];
-  ppe_rhs(type, n, vstar, vwall, div, p, 0.1, 1000.0, b);
+  Timers timers;
+  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, 3, 0.12), 0.1, timers);
+  cloud.reset(5, 5);
+  set_particles(cloud, {}, n);
+  PpeFields fields;
+  fields.rho_over_dt = 1000.0;
+  fields.vstar = vstar;
+  fields.vwall = vwall;
+  fields.div = div;
+  fields.p = p;
+  ppe_rhs(cloud, type, fields, b);
   EXPECT_DOUBLE_EQ(b[0], -0.01 * 1000.0 * 0.25);
   EXPECT_DOUBLE_EQ(b[1], -0.1 * 1000.0 * (0.5 * 0.6 + 2.0 * 0.8));
   EXPECT_EQ(b[2], 123.0);
@@ -292,13 +301,16 @@ TEST(Ppe, HydrostaticBoxIsExact)
             exact[i] += rho * g[a] * scene.points[i][a];
           }
         }
-        divergence(ppe.ops().s(), ppe.ops().g(), ppe.ops().all(), vstar.data(), scene.role.data(),
-                   nullptr, div.data());
-        ppe_rhs(ppe.type(), scene.normal.data(), vstar.data(), vwall.data(), div.data(), nullptr,
-                scene.d, rho / dt, b.data());
+        divergence(ppe.ops().cloud(), ppe.ops().all(), vstar.data(), div.data());
+        PpeFields fields;
+        fields.rho_over_dt = rho / dt;
+        fields.vstar = vstar.data();
+        fields.vwall = vwall.data();
+        fields.div = div.data();
+        ppe_rhs(ppe.ops().cloud(), ppe.type(), fields, b.data());
         ASSERT_TRUE(solve(ppe.A(), PrecondType::ILU0, b, p, closed(1.0e-13)).ok());
         EXPECT_LE((centred(p) - centred(exact)).cwiseAbs().maxCoeff(), 1.0e-11 * rho * 9.81);
-        gradient(ppe.ops().s(), ppe.ops().g(), ppe.ops().all(), p.data(), grad.data());
+        gradient(ppe.ops().cloud(), ppe.ops().all(), p.data(), grad.data());
         for (int i : scene.rows(FLUID))
           for (int a = 0; a < dim; a++)
             EXPECT_NEAR(vstar[3 * i + a] - dt / rho * grad[3 * i + a], 0.0, 1.0e-11 * 9.81 * dt);

@@ -24,7 +24,7 @@ struct Field {
 };
 
 // v_a = A_ab x_b + c_a, with its gradient
-Field linear_field(const Cloud &cloud, int dim)
+Field linear_field(const PointSet &cloud, int dim)
 {
   const double A[3][3] = {{0.3, -1.1, 0.7}, {0.9, -0.4, 0.2}, {-0.5, 0.6, 0.8}};
   Field f;
@@ -55,7 +55,7 @@ TEST(Roughness, LinearFieldsAreLeftAlone)
 {
   for (int dim : {2, 3}) {
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
-    const Cloud cloud = block(dim, 2, 7);
+    const PointSet cloud = block(dim, 2, 7);
     const Discrete disc(kernel, D, cloud);
     const std::vector<Role> role(cloud.total(), FLUID);
     const auto out = roughness(disc, kernel, cloud.rows(), role, linear_field(cloud, dim));
@@ -73,7 +73,7 @@ TEST(Roughness, TakesAwayWhatMovesAlone)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, H);
   const Points points = lattice(2, 6, D);
-  const Cloud cloud(points, static_cast<int>(points.size()), 2.4 * D);
+  const PointSet cloud(points, static_cast<int>(points.size()), 2.4 * D);
   const Discrete disc(kernel, D, cloud);
   const std::vector<Role> role(cloud.total(), FLUID);
   Field f;
@@ -94,7 +94,7 @@ TEST(Roughness, KeepsToTheBoundFluid)
 {
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, H);
   const Points points = {{0.0, 0.0, 0.0}, {D, 0.0, 0.0}, {0.0, D, 0.0}};
-  const Cloud cloud(points, 3, 2.4 * D);
+  const PointSet cloud(points, 3, 2.4 * D);
   const Discrete disc(kernel, D, cloud);
   Field f;
   f.v = {1.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0};

@@ -130,19 +130,16 @@ TEST(Shift, DoesNotDependOnTheOrderOfTheNeighbours)
   const Scene scene = with_normals(patch());
   const Shifting shifting(scene);
   const Kernel &kernel = shifting.kernel();
-  const Cloud cloud(scene.points, 60, kernel.support(), 9);
-  Stencil s;
-  s.build(kernel, cloud.owned(), cloud.x(), cloud.list());
+  const Cloud cloud = make_cloud(kernel, scene.d, PointSet(scene.points, 60, kernel.support(), 9),
+                                 {scene.role, scene.normal, false});
   const auto expected = shifting.deviation(false);
   auto eps = expected;    // those of the ghosts come from their owners
-  density_deviation(s, kernel, cloud.rows(), scene.role.data(), scene.normal.data(),
-                    shifting.volume(), scene.d, false, eps.data());
+  density_deviation(cloud, false, eps.data());
   const auto v = streaming(shifting, 1.0);
   for (ShiftModel model : MODELS) {
     const auto all = shifting.shift(unbounded(model), expected, v);
     std::vector<double> dr(180);
-    compute_shift(s, kernel, cloud.rows(), scene.role.data(), scene.normal.data(), eps.data(),
-                  v.data(), shifting.volume(), scene.d, unbounded(model), dr.data());
+    compute_shift(cloud, unbounded(model), eps.data(), v.data(), dr.data());
     for (int i = 0; i < 60; i++) {
       ASSERT_NEAR(eps[i], expected[i], ROUNDING);
       for (int a = 0; a < 3; a++) ASSERT_NEAR(dr[3 * i + a] / 0.1, all[3 * i + a] / 0.1, ROUNDING);

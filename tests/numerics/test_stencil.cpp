@@ -16,7 +16,7 @@ using namespace aleisph_test;
 
 namespace {
 
-double distance(const Cloud &cloud, int i, int j)
+double distance(const PointSet &cloud, int i, int j)
 {
   double sum = 0.0;
   for (int a = 0; a < 3; a++) sum += std::pow(cloud.point(i)[a] - cloud.point(j)[a], 2);
@@ -24,7 +24,7 @@ double distance(const Cloud &cloud, int i, int j)
 }
 
 // the candidates of row i within the support, in their order
-std::vector<int> expected_columns(const Cloud &cloud, const Kernel &kernel, int i)
+std::vector<int> expected_columns(const PointSet &cloud, const Kernel &kernel, int i)
 {
   std::vector<int> columns;
   for (int j : cloud.candidates(i)) {
@@ -34,7 +34,7 @@ std::vector<int> expected_columns(const Cloud &cloud, const Kernel &kernel, int 
   return columns;
 }
 
-void expect_same(const Stencil &s, const Cloud &cloud, const Kernel &kernel)
+void expect_same(const Stencil &s, const PointSet &cloud, const Kernel &kernel)
 {
   ASSERT_EQ(s.rows(), cloud.owned());
   ASSERT_EQ(s.dim(), kernel.dim());
@@ -56,7 +56,7 @@ void expect_same(const Stencil &s, const Cloud &cloud, const Kernel &kernel)
   }
 }
 
-Stencil build(const Kernel &kernel, const Cloud &cloud)
+Stencil build(const Kernel &kernel, const PointSet &cloud)
 {
   Stencil s;
   s.build(kernel, cloud.owned(), cloud.x(), cloud.list());
@@ -82,7 +82,7 @@ TEST(Stencil, AgreesWithBruteForce)
       const Kernel kernel(KernelType::CUBIC_SPLINE, dim, 1.2 * d);
       // about half of the points are ghosts; the skin is 0.3 d
       const int owned = static_cast<int>(points.size()) / 2;
-      const Cloud cloud(points, owned, kernel.support() + 0.3 * d, seed);
+      const PointSet cloud(points, owned, kernel.support() + 0.3 * d, seed);
       const Stencil s = build(kernel, cloud);
       expect_same(s, cloud, kernel);
       EXPECT_EQ(s.coincident(), 0);
@@ -96,7 +96,7 @@ TEST(Stencil, CandidatesBeyondTheSupportDoNotMatter)
   Points points = lattice(3, 3, d);
   jitter(points, 3, 0.2 * d, 3);
   const Kernel kernel(KernelType::WENDLAND_C2, 3, 1.2 * d);
-  const Cloud tight(points, 50, kernel.support()), wide(points, 50, 2.0 * kernel.support());
+  const PointSet tight(points, 50, kernel.support()), wide(points, 50, 2.0 * kernel.support());
   const Stencil s = build(kernel, tight), t = build(kernel, wide);
   ASSERT_EQ(s.pairs(), t.pairs());
   for (int k = 0; k < s.pairs(); k++) EXPECT_EQ(s.col()[k], t.col()[k]);
@@ -107,7 +107,7 @@ TEST(Stencil, PairAtTheSupportIsOutside)
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, 1.0);    // support 2, exactly representable
   const Points points = {
       {0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {0.0, std::nextafter(2.0, 0.0), 0.0}, {-2.5, 0.0, 0.0}};
-  const Cloud cloud(points, 1, 3.0);
+  const PointSet cloud(points, 1, 3.0);
   const Stencil s = build(kernel, cloud);
   ASSERT_EQ(s.pairs(), 1);
   EXPECT_EQ(s.col()[0], 2);
@@ -122,7 +122,7 @@ TEST(Stencil, CoincidentPairsAreLeftOutAndCounted)
     points.insert(points.begin() + n, points[0]);    // owned, on top of particle 0
     points.push_back(points[3]);                     // ghost, on top of particle 3
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, 1.2 * d);
-    const Cloud cloud(points, n + 1, 1.5 * kernel.support(), 5);
+    const PointSet cloud(points, n + 1, 1.5 * kernel.support(), 5);
     const Stencil s = build(kernel, cloud);
     EXPECT_EQ(s.coincident(), 3);    // rows 0 and n meet each other, row 3 meets the ghost
     expect_same(s, cloud, kernel);
@@ -134,9 +134,9 @@ TEST(Stencil, PlaneProblemsIgnoreZ)
 {
   Points points = lattice(2, 3, 1.0);
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, 1.2);
-  const Cloud flat(points, 10, 10.0);
+  const PointSet flat(points, 10, 10.0);
   for (std::size_t j = 0; j < points.size(); j++) points[j][2] = 0.1 * (j % 7);
-  const Cloud bent(points, 10, 10.0);
+  const PointSet bent(points, 10, 10.0);
   const Stencil s = build(kernel, flat), t = build(kernel, bent);
   ASSERT_EQ(s.pairs(), t.pairs());
   for (int k = 0; k < s.pairs(); k++) EXPECT_EQ(s.r()[k], t.r()[k]);
@@ -146,7 +146,7 @@ TEST(Stencil, RowsWithoutNeighbours)
 {
   const Points points = {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {10.5, 0.0, 0.0}, {0.0, 20.0, 0.0}};
   const Kernel kernel(KernelType::CUBIC_SPLINE, 3, 1.0);
-  const Cloud cloud(points, 4, 100.0);
+  const PointSet cloud(points, 4, 100.0);
   const Stencil s = build(kernel, cloud);
   expect_same(s, cloud, kernel);
   EXPECT_EQ(s.pairs(), 2);
@@ -160,7 +160,7 @@ TEST(Stencil, CanBeRebuilt)
     for (int n : {3, 1, 2}) {
       const Kernel kernel(KernelType::QUINTIC_SPLINE, dim, 1.2 * d);
       const Points points = lattice(dim, n, d);
-      const Cloud cloud(points, static_cast<int>(points.size()), kernel.support());
+      const PointSet cloud(points, static_cast<int>(points.size()), kernel.support());
       s.build(kernel, cloud.owned(), cloud.x(), cloud.list());
       expect_same(s, cloud, kernel);
     }
@@ -176,7 +176,7 @@ TEST(Stencil, ADifferentCloudInTheSameMemory)
   for (const Points &points :
        {lattice(2, 3, 1.0), lattice(2, 6, 1.0), jittered, lattice(2, 1, 1.0)}) {
     const int n = static_cast<int>(points.size());
-    const Cloud cloud(points, n, 3.0);
+    const PointSet cloud(points, n, 3.0);
     s.build(kernel, n, cloud.x(), cloud.list());
     expect_same(s, cloud, kernel);
   }
@@ -187,7 +187,7 @@ TEST(Stencil, ColumnsOfPeriodicImagesAreThoseOfTheParticle)
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, 1.2);
   const Points points = lattice(2, 3, 1.0);
   const int n = static_cast<int>(points.size()), owned = 20;
-  const Cloud cloud(points, owned, 3.0);
+  const PointSet cloud(points, owned, 3.0);
   std::vector<int> canonical(n);
   for (int j = 0; j < n; j++) canonical[j] = j < owned ? j : j % owned;
   CandidateList list = cloud.list();
@@ -205,7 +205,7 @@ TEST(Stencil, ColumnsOfPeriodicImagesAreThoseOfTheParticle)
 TEST(Stencil, NoParticles)
 {
   Stencil s;
-  s.build(Kernel(KernelType::CUBIC_SPLINE, 3, 1.0), 0, nullptr, {nullptr, nullptr, Cloud::MASK});
+  s.build(Kernel(KernelType::CUBIC_SPLINE, 3, 1.0), 0, nullptr, {nullptr, nullptr, PointSet::MASK});
   EXPECT_EQ(s.rows(), 0);
   EXPECT_EQ(s.pairs(), 0);
 }
@@ -214,7 +214,7 @@ TEST(Stencil, BytesCoverTheArrays)
 {
   const Points points = lattice(3, 3, 1.0);
   const Kernel kernel(KernelType::CUBIC_SPLINE, 3, 1.2);
-  const Cloud cloud(points, 100, kernel.support());
+  const PointSet cloud(points, 100, kernel.support());
   const Stencil s = build(kernel, cloud);
   // per pair an int and five doubles (r, dw, e), per row an int; the arrays are made to fit and
   // do not grow by doubling

@@ -51,16 +51,12 @@ Found find_surface(const Scene &scene, const SurfaceParams &params = SurfacePara
 {
   Found found{scene.role, scene.normal, SurfaceCount()};
   const Kernel kernel = scene_kernel(scene);
-  const Cloud cloud(scene.points, static_cast<int>(scene.points.size()), kernel.support(), shuffle);
-  PairFilter filter;
-  filter.role = scene.role.data();
-  filter.drop = DRY;
-  Stencil s;
-  s.build(kernel, cloud.owned(), cloud.x(), cloud.list(), filter);
-  GradientWeights g;
-  g.build(s, std::pow(scene.d, scene.dim));
-  found.count = detect_surface(s, g, scene.rows(FLUID), scene.d, params, found.role.data(),
-                               found.normal.data());
+  const PointSet points(scene.points, static_cast<int>(scene.points.size()), kernel.support(),
+                        shuffle);
+  Cloud cloud = make_cloud(kernel, scene.d, points, {scene.role, scene.normal, true});
+  found.count = detect_surface(cloud, params);
+  found.role.assign(cloud.role(), cloud.role() + cloud.size());
+  found.normal.assign(cloud.normal(), cloud.normal() + 3 * cloud.size());
   return found;
 }
 
@@ -289,14 +285,9 @@ Scene around(int dim, double r, const Vec3 &axis, double open_half_angle)
 bool first_on_surface(const Scene &scene, const SurfaceParams &params)
 {
   const Kernel kernel = scene_kernel(scene);
-  const Cloud cloud(scene.points, 1, kernel.support());
-  Stencil s;
-  s.build(kernel, 1, cloud.x(), cloud.list());
-  GradientWeights g;
-  g.build(s, 1.0);
-  std::vector<Role> role = scene.role;
-  std::vector<double> normal(3 * role.size());
-  return detect_surface(s, g, {0}, scene.d, params, role.data(), normal.data()).surface == 1;
+  const PointSet points(scene.points, 1, kernel.support());
+  Cloud cloud = make_cloud(kernel, scene.d, points, {scene.role, {}, false});
+  return detect_surface(cloud, params).surface == 1;
 }
 
 }    // namespace
@@ -824,25 +815,25 @@ TEST(Surface, TurnedCloud)
     }
 }
 
-TEST(Surface, WritesTheListedRowsOnly)
+TEST(Surface, WritesFluidRowsOnly)
 {
   const Scene scene = fluid_only(2, lattice(2, 4, 1.0));
   const Kernel kernel = scene_kernel(scene);
-  const Cloud cloud(scene.points, static_cast<int>(scene.points.size()), kernel.support());
-  Stencil s;
-  s.build(kernel, cloud.owned(), cloud.x(), cloud.list());
-  GradientWeights g;
-  g.build(s, 1.0);
-  std::vector<Role> role(scene.points.size(), FLUID | CURLCURL);
-  std::vector<double> normal(3 * scene.points.size(), 7.0);
+  const PointSet points(scene.points, static_cast<int>(scene.points.size()), kernel.support());
   const int on_surface = static_cast<int>(scene.points.size()) - 1;    // a corner, the farthest
-  const SurfaceCount count = detect_surface(s, g, {0, on_surface}, 1.0, SurfaceParams(),
-                                            role.data(), normal.data());
+  // buffer particles are fluid for their neighbours, but have no row
+  std::vector<Role> role(scene.points.size(), FLUID | BUFFER);
+  role[0] = role[on_surface] = FLUID | CURLCURL;
+  std::vector<double> normal(3 * scene.points.size(), 7.0);
+  Cloud cloud = make_cloud(kernel, 1.0, points, {role, normal, false});
+  const SurfaceCount count = detect_surface(cloud, SurfaceParams());
+  role.assign(cloud.role(), cloud.role() + cloud.size());
+  normal.assign(cloud.normal(), cloud.normal() + 3 * cloud.size());
   EXPECT_EQ(count.surface, 1);
   EXPECT_EQ(role[0], FLUID | CURLCURL);
   EXPECT_EQ(role[on_surface], FLUID | CURLCURL | SURFACE);
   EXPECT_EQ(normal[0], 0.0);
   EXPECT_EQ(std::count(normal.begin(), normal.end(), 7.0), static_cast<long>(normal.size()) - 6);
-  EXPECT_EQ(std::count(role.begin(), role.end(), FLUID | CURLCURL),
-            static_cast<long>(role.size()) - 1);
+  EXPECT_EQ(std::count(role.begin(), role.end(), FLUID | BUFFER),
+            static_cast<long>(role.size()) - 2);
 }

@@ -20,7 +20,7 @@ namespace {
 // the origin alone is a row
 Stencil stencil_of(const Points &points, const Kernel &kernel)
 {
-  const Cloud cloud(points, 1, kernel.support());
+  const PointSet cloud(points, 1, kernel.support());
   Stencil s;
   s.build(kernel, 1, cloud.x(), cloud.list());
   return s;

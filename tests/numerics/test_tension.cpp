@@ -44,7 +44,7 @@ Vec3 vec(const std::vector<double> &v, int i)
 
 // A cloud whose particles are all fluid, on the surface or not, and its fields
 struct Patch {
-  Patch(int dim, Cloud all) :
+  Patch(int dim, PointSet all) :
       cloud(std::move(all)), role(cloud.total(), FLUID | SURFACE), N(3 * cloud.total()),
       K(cloud.total()), known(cloud.total())
   {
@@ -57,7 +57,7 @@ struct Patch {
   }
   void set_normal(int i, const Vec3 &n) { Vec3::Map(&N[3 * i]) = n; }
 
-  Cloud cloud;
+  PointSet cloud;
   std::vector<Role> role;
   Stencil s;
   std::vector<double> N, K, known;
@@ -135,8 +135,8 @@ TEST_P(TensionTest, WideGradientSumsOverFluidAlone)
 {
   const Kernel wide = wide_kernel(dim_, D);
   EXPECT_DOUBLE_EQ(wide.support(), 4.8 * D);
-  const Cloud cloud = block(dim_, 4, 3);
-  const Cloud far(cloud.points(), cloud.owned(), wide.support(), 1);
+  const PointSet cloud = block(dim_, 4, 3);
+  const PointSet far(cloud.points(), cloud.owned(), wide.support(), 1);
   std::vector<Role> role(cloud.total(), FLUID);
   for (int j = 0; j < cloud.total(); j += 4) role[j] = j % 8 == 0 ? WALL : WALL | FLUID;
   Stencil s;
@@ -159,7 +159,7 @@ TEST_P(TensionTest, WideGradientSumsOverFluidAlone)
 TEST_P(TensionTest, NoDirectionIsCounted)
 {
   const Points points = lattice(dim_, 5, D);
-  const Cloud cloud(points, static_cast<int>(points.size()), 4.8 * D);
+  const PointSet cloud(points, static_cast<int>(points.size()), 4.8 * D);
   const std::vector<Role> role(points.size(), FLUID);
   Stencil s;
   s.build(wide_kernel(dim_, D), cloud.owned(), cloud.x(), cloud.list());
@@ -175,7 +175,7 @@ TEST_P(TensionTest, NoDirectionIsCounted)
 TEST_P(TensionTest, EigenvalueGradientPointsDownALinearField)
 {
   const Discrete field(spline(dim_), D, block(dim_, 3, 5));
-  const Cloud cloud = block(dim_, 3, 5);
+  const PointSet cloud = block(dim_, 3, 5);
   const Vec3 slope(3.0, -2.0, dim_ == 3 ? 1.0 : 0.0);
   std::vector<double> N(3 * cloud.total());
   const auto lambda = sample(cloud, [&slope](const Point &x) {
@@ -214,7 +214,7 @@ TEST_P(TensionTest, LinearTurnOfTheNormalIsExact)
       Points points = keep(lattice(dim_, 4, d),
                            [this](const Point &p) { return p[dim_ - 1] == 0.0; });
       jitter(points, dim_ - 1, 0.2 * d, 7);
-      Patch patch(dim_, Cloud(points, 1, 2.4 * d));
+      Patch patch(dim_, PointSet(points, 1, 2.4 * d));
       for (int j = 0; j < patch.cloud.total(); j++) {
         Vec3 n = Vec3::Zero();
         n[0] = k * (points[j][0] - points[0][0]);
@@ -237,7 +237,7 @@ TEST_P(TensionTest, HollowsAreBounded)
   for (double k : line) {
     Points points = keep(lattice(dim_, 1, D),
                          [this](const Point &p) { return p[dim_ - 1] <= 0.0; });
-    Patch patch(dim_, Cloud(points, 1, 1.1 * D));
+    Patch patch(dim_, PointSet(points, 1, 1.1 * D));
     for (int j = 0; j < patch.cloud.total(); j++) {
       if (points[j][dim_ - 1] < 0.0) patch.role[j] = FLUID;
       Vec3 n = Vec3::Zero();
@@ -255,7 +255,7 @@ TEST_P(TensionTest, HollowsAreBounded)
 TEST_P(TensionTest, FewAndUnknownAreCounted)
 {
   const Points row = {{0.0, 0.0, 0.0}, {D, 0.0, 0.0}, {2.0 * D, 0.0, 0.0}, {3.0 * D, 0.0, 0.0}};
-  Patch pair(dim_, Cloud({row[0], row[1], row[2]}, 3, 3.0 * D));
+  Patch pair(dim_, PointSet({row[0], row[1], row[2]}, 3, 3.0 * D));
   for (int i = 0; i < 3; i++) pair.set_normal(i, Vec3::Unit(dim_ - 1));
   const CurvatureCount few = pair.curvature();
   EXPECT_EQ(few.few, 3);
@@ -268,7 +268,7 @@ TEST_P(TensionTest, FewAndUnknownAreCounted)
     points.push_back({dx * D, dx * D, 0.0});
     points.back()[dim_ - 1] = -D;
   }
-  Patch lone(dim_, Cloud(points, 1, 2.4 * D));
+  Patch lone(dim_, PointSet(points, 1, 2.4 * D));
   for (int i = 0; i < 5; i++) lone.set_normal(i, Vec3::Unit(dim_ - 1));
   for (int i = 2; i < 5; i++) lone.role[i] = FLUID;
   EXPECT_EQ(lone.curvature().unknown, 1);
@@ -286,7 +286,7 @@ TEST_P(TensionTest, MeanOverTheSurface)
 {
   Points points = {{0.0, 0.0, 0.0}, {D, 0.0, 0.0}, {2.0 * D, 0.0, 0.0}, {D, 0.0, 0.0}};
   points[3][dim_ - 1] = -D;
-  Patch patch(dim_, Cloud(points, 4, 2.4 * D));
+  Patch patch(dim_, PointSet(points, 4, 2.4 * D));
   patch.role[3] = FLUID;
   for (int i = 0; i < 4; i++) patch.set_normal(i, Vec3::Unit(dim_ - 1));
   patch.K = {0.1 / D, 0.4 / D, 0.2 / D, 9.0 / D};
@@ -318,7 +318,7 @@ TEST_P(TensionTest, MeanOverTheSurface)
 // A particle with one neighbour counts as having too few: K = 0 whatever the neighbour has
 TEST_P(TensionTest, IsolatedParticlesHaveNoCurvature)
 {
-  Patch patch(dim_, Cloud({{0.0, 0.0, 0.0}, {D, 0.0, 0.0}}, 2, 2.4 * D));
+  Patch patch(dim_, PointSet({{0.0, 0.0, 0.0}, {D, 0.0, 0.0}}, 2, 2.4 * D));
   for (int i = 0; i < 2; i++) patch.set_normal(i, Vec3::Unit(dim_ - 1));
   CurvatureCount count = patch.curvature();
   EXPECT_EQ(count.few, 2);
