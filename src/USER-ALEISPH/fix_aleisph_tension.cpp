@@ -6,6 +6,11 @@
 
 #include "fix_aleisph_tension.h"
 
+#include "aleisph_surface_hold.h"
+#include "aleisph_tension_published.h"
+#include "aleisph_tension_roughness.h"
+#include "aleisph_tension_tangent.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -32,7 +37,6 @@ namespace {
 
 constexpr double DEGREE = 3.14159265358979323846 / 180.0;
 constexpr double NEUTRAL = 0.0;    // cosine on walls that no keyword angle names: 90 degrees
-constexpr double MAX_FILTER = 1.0;
 // The first row lies at one spacing from a wall. Below 0.8 contact lines are pinned.
 constexpr double HOLD_REACH = 1.0;    // in spacings
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
@@ -45,10 +49,10 @@ bool is_angle(double degrees)
 }    // namespace
 
 FixAleisphTension::FixAleisphTension(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), model_(Model::TANGENT), given_sigma_(-1.0), sigma_(0.0), factor_(0.41),
+    Fix(lmp, narg, arg), published_(false), given_sigma_(-1.0), sigma_(0.0), factor_(0.41),
     delta_(0.1), filter_(0.0), pressure_form_(true), force_form_(false), viscous_(true),
     form_given_(false), viscous_given_(false), owner_(nullptr), list_(nullptr), walls_(false),
-    ncontact_(0), undirected_(0), held_(0), version_(-1)
+    held_(0), version_(-1)
 {
   parse(narg, arg);
   vector_flag = 1;
@@ -84,7 +88,7 @@ void FixAleisphTension::parse(int narg, char **arg)
     } else if (key == "model") {
       if (value != "tangent" && value != "published")
         error->all(FLERR, "Fix aleisph/tension: model must be tangent or published, not {}", value);
-      model_ = value == "tangent" ? Model::TANGENT : Model::PUBLISHED;
+      published_ = value == "published";
     } else if (key == "form") {
       set_form(value);
     } else if (key == "angle") {
@@ -104,12 +108,11 @@ void FixAleisphTension::parse(int narg, char **arg)
       error->all(FLERR, "Fix aleisph/tension: unknown keyword {}", key);
     iarg += 1 + nvalues;
   }
-  const bool published = model_ == Model::PUBLISHED;
-  if (!published && !published_only.empty())
+  if (!published_ && !published_only.empty())
     error->all(FLERR, "Fix aleisph/tension: keyword {} needs model published", published_only);
-  if (published && !form_given_) set_form("both");
-  if (published && !viscous_given_) viscous_ = false;
-  if (!published) delta_ = 1.0;    // the force acts on one layer of particles
+  if (published_ && !form_given_) set_form("both");
+  if (published_ && !viscous_given_) viscous_ = false;
+  if (!published_) delta_ = 1.0;    // the force acts on one layer of particles
 }
 
 void FixAleisphTension::set_form(const std::string &word)
@@ -169,12 +172,20 @@ void FixAleisphTension::init()
   owner_->add_time_step_limit(this);
   if (walls_) owner_->set_velocity_guard(this);
   if (filter_ > 0.0) owner_->add_acceleration(this);
-  if (model_ == Model::TANGENT) {
-    const double reach =
-        aleisph::wide_kernel(domain->dimension, owner_->cloud().spacing()).support();
-    owner_->require_reach(reach);
-    neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(reach);
-  }
+  make_model();
+}
+
+void FixAleisphTension::make_model()
+{
+  if (published_)
+    model_ = std::make_unique<aleisph::PublishedTension>(factor_);
+  else
+    model_ = std::make_unique<aleisph::TangentTension>(domain->dimension,
+                                                       owner_->cloud().spacing());
+  const double reach = model_->reach();
+  if (reach == 0.0) return;
+  owner_->require_reach(reach);
+  neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(reach);
 }
 
 void FixAleisphTension::init_list(int, NeighList *list)
@@ -254,156 +265,56 @@ void FixAleisphTension::pre_force(int)
 void FixAleisphTension::rebuild()
 {
   auto &cloud = owner_->cloud();
-  const std::size_t nall = cloud.size();
-  if (walls_ && model_ == Model::TANGENT) {
+  if (walls_ && model_->binds_tips()) {
     aleisph::bind_tips(cloud.stencil(), cloud.fluid(), cloud.spacing(), cloud.role());
     owner_->forward_roles();
   }
-  rows_ = aleisph::surface_rows(cloud.fluid(), cloud.role());
-  count_ = {};
-  N_.assign(3 * nall, 0.0);
-  K_.assign(nall, 0.0);
-  known_.assign(nall, 0.0);
-  mean_.assign(nall, 0.0);
-  if (model_ == Model::TANGENT)
-    wide_.build(aleisph::wide_kernel(domain->dimension, cloud.spacing()), atom->nlocal, atom->x,
-                {list_->numneigh, list_->firstneigh, NEIGHMASK},
-                {cloud.role(), aleisph::SURFACE | (walls_ ? aleisph::WALL : 0u), 0});
-  find_contact_lines();
-  find_normals();
-  find_curvature();
-  version_ = cloud.version();
-}
-
-void FixAleisphTension::find_contact_lines()
-{
-  ncontact_ = 0;
-  contact_.clear();
-  if (!walls_) return;
-  auto &cloud = owner_->cloud();
-  evaluate_angles();
-  contact_.assign(4 * static_cast<std::size_t>(cloud.size()), 0.0);
-  ncontact_ = aleisph::contact_normals(cloud.stencil(), rows_, cloud.role(), cloud.normal(),
-                                       cosine_.data(), cloud.spacing(), contact_params_,
-                                       contact_.data(), cloud.shape());
-  if (model_ == Model::PUBLISHED) return;
-  owner_->forward(contact_.data(), 4);
-  plane_.assign(2 * static_cast<std::size_t>(cloud.size()), 0.0);
-  aleisph::Rows walls;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (cloud.role()[i] & aleisph::WALL) walls.push_back(i);
-  aleisph::contact_planes(wide_, walls, cloud.role(), cloud.normal(), contact_.data(),
-                          cloud.spacing(), plane_.data());
-  owner_->forward(plane_.data(), 2);
-}
-
-void FixAleisphTension::find_normals()
-{
-  auto &cloud = owner_->cloud();
-  if (model_ == Model::PUBLISHED) {
-    lambda_.assign(cloud.size(), 0.0);
-    for (int i = 0; i < atom->nlocal; i++) lambda_[i] = cloud.gradient().lambda(i);
-    owner_->forward(lambda_.data(), 1);
-    aleisph::eigenvalue_gradient(cloud.stencil(), cloud.gradient(), rows_, lambda_.data(),
-                                 N_.data());
-  } else {
-    const auto kernel = aleisph::wide_kernel(domain->dimension, cloud.spacing());
-    aleisph::wide_gradient(wide_, rows_, cloud.role(), cloud.volume(), N_.data());
-    if (walls_)
-      aleisph::add_continuation(wide_, kernel, rows_, cloud.role(), cloud.normal(), plane_.data(),
-                                cloud.volume(), cloud.spacing(), contact_params_, N_.data(),
-                                cloud.shape());
+  if (walls_) evaluate_angles();
+  aleisph::CandidateList far = {nullptr, nullptr, NEIGHMASK};
+  if (list_) far = {list_->numneigh, list_->firstneigh, NEIGHMASK};
+  model_->update({cloud, atom->x, far, walls_ ? cosine_.data() : nullptr,
+                  [this](double *field, int n) { owner_->forward(field, n); }});
+  if (!result().share.empty()) {
+    aleisph::contact_surface_normals(result().rows, result().share.data(), result().N.data(),
+                                     cloud.normal());
+    owner_->forward(cloud.normal(), 3);
   }
-  undirected_ = aleisph::normalise(rows_, N_.data());
-  if (model_ == Model::PUBLISHED && walls_)    // Morikawa, Tsuji & Asai, Fig. 9
-    for (const int i : rows_)
-      if (contact_[4 * i + 3] > 0.0) std::copy_n(&contact_[4 * i], 3, &N_[3 * i]);
-  owner_->forward(N_.data(), 3);
-}
-
-void FixAleisphTension::find_curvature()
-{
-  auto &cloud = owner_->cloud();
-  if (model_ == Model::PUBLISHED) {
-    count_ = aleisph::published_curvature(cloud.stencil(), cloud.gradient(), rows_, cloud.role(),
-                                          N_.data(), factor_, cloud.spacing(), mean_.data());
-    return;
-  }
-  count_ = aleisph::tangent_curvature(cloud.stencil(), rows_, cloud.role(), N_.data(),
-                                      cloud.volume(), K_.data(), known_.data());
-  owner_->forward(K_.data(), 1);
-  owner_->forward(known_.data(), 1);
-  aleisph::smooth_curvature(cloud.stencil(), rows_, cloud.role(), N_.data(), K_.data(),
-                            known_.data(), cloud.spacing(), mean_.data(), count_);
-  if (walls_) set_contact_angle();
-}
-
-// near contact lines, the curvature that the angle demands and the normal that goes with it
-void FixAleisphTension::set_contact_angle()
-{
-  auto &cloud = owner_->cloud();
-  share_.assign(atom->nlocal, 0.0);
-  count_.limited += aleisph::contact_curvature(
-      wide_, rows_, cloud.role(), cloud.normal(), cosine_.data(), N_.data(), cloud.spacing(),
-      contact_params_, share_.data(), mean_.data(), cloud.shape());
-  aleisph::contact_surface_normals(rows_, share_.data(), N_.data(), cloud.normal());
-  owner_->forward(cloud.normal(), 3);
-}
-
-/* ----------------------------------------------------------------------
-   sigma K, and the normal viscous stress 2 rho nu N.(grad v).N: a stress-free
-   surface has p - 2 rho nu dv_n/dn = sigma K. The paper omits it; without it
-   oscillations of drops decay at half their rate.
-------------------------------------------------------------------------- */
-
-double FixAleisphTension::viscous_pressure_factor() const
-{
-  return viscous_ ? 2.0 * owner_->rho0() * owner_->viscosity() : 0.0;
+  version_ = owner_->cloud().version();
 }
 
 void FixAleisphTension::find_pressure()
 {
   p_.assign(atom->nlocal, 0.0);
-  const double viscous = viscous_pressure_factor();
-  if (viscous > 0.0) {
-    auto &cloud = owner_->cloud();
-    owner_->forward(owner_->velocity(), 3);
-    grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::velocity_gradient(cloud, rows_, owner_->velocity(), grad_v_.data());
-  }
-  for (const int i : rows_) {
-    if (pressure_form_) p_[i] += sigma_ * mean_[i];
-    if (viscous > 0.0)
-      p_[i] += viscous * aleisph::normal_strain(&N_[3 * i], &grad_v_[9 * i], domain->dimension);
-  }
+  if (pressure_form_) aleisph::add_capillary_pressure(result(), sigma_, p_.data());
+  const double mu = viscous_ ? owner_->rho0() * owner_->viscosity() : 0.0;
+  if (mu <= 0.0) return;
+  owner_->forward(owner_->velocity(), 3);
+  find_velocity_gradient(result().rows);
+  aleisph::add_viscous_pressure(result(), mu, grad_v_.data(), domain->dimension, p_.data());
 }
 
-const double *FixAleisphTension::surface_pressure() const
+void FixAleisphTension::find_velocity_gradient(const aleisph::Rows &rows)
 {
-  return p_.data();
+  auto &cloud = owner_->cloud();
+  grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
+  aleisph::velocity_gradient(cloud, rows, owner_->velocity(), grad_v_.data());
 }
 
-// As a force the tension acts on the layer of surface particles. The model as published takes the
-// mean curvature, half of K in three dimensions.
+// as a force the tension acts on the layer of surface particles
 void FixAleisphTension::post_force(int)
 {
-  const double volume = owner_->cloud().volume();
-  const double mean = model_ == Model::PUBLISHED ? 1.0 / (domain->dimension - 1) : 1.0;
-  const double factor = mean * volume * sigma_ * delta_ / owner_->cloud().spacing();
-  for (const int i : rows_)
-    for (int a = 0; a < domain->dimension; a++) atom->f[i][a] -= factor * mean_[i] * N_[3 * i + a];
+  const double factor = model_->force_share(domain->dimension) * owner_->cloud().volume() * sigma_ *
+      delta_ / owner_->cloud().spacing();
+  aleisph::add_tension_force(result(), factor, domain->dimension, atom->f);
 }
 
-// the high-pass filter takes min(filter sqrt(sigma/(rho d^3)), 1/dt) of the roughness of v
 void FixAleisphTension::add_acceleration(double *a)
 {
-  const double d = owner_->cloud().spacing();
-  const double rate = std::min(filter_ * std::sqrt(sigma_ / (owner_->rho0() * d * d * d)),
-                               MAX_FILTER / update->dt);
   auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
-  grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(cloud, cloud.fluid(), owner_->velocity(), grad_v_.data());
+  const double rate = aleisph::roughness_rate(filter_, sigma_, owner_->rho0(),
+                                              owner_->cloud().spacing(), update->dt);
+  find_velocity_gradient(cloud.fluid());
   filtered_.resize(3 * static_cast<std::size_t>(atom->nlocal));
   aleisph::velocity_roughness(cloud.stencil(), cloud.kernel(), cloud.fluid(), cloud.role(),
                               owner_->velocity(), grad_v_.data(), filtered_.data());
@@ -414,7 +325,7 @@ void FixAleisphTension::add_acceleration(double *a)
 void FixAleisphTension::guard_velocity(double *v)
 {
   auto &cloud = owner_->cloud();
-  held_ = aleisph::hold_surface(cloud.stencil(), rows_, cloud.role(), cloud.normal(),
+  held_ = aleisph::hold_surface(cloud.stencil(), result().rows, cloud.role(), cloud.normal(),
                                 HOLD_REACH * cloud.spacing(), cloud.spacing(), v);
 }
 
@@ -456,30 +367,29 @@ double FixAleisphTension::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
   if (!owner_->ready() || version_ != owner_->cloud().version()) return 0.0;
+  const aleisph::TensionResult &tension = result();
   double mine = 0.0, all;
   switch (n) {
     case 0:
-      for (const int i : rows_) mine += mean_[i];
+      for (const int i : tension.rows) mine += tension.K[i];
       MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-      return all / std::max(1L, owner_->sum(rows_.size()));
+      return all / std::max(1L, owner_->sum(tension.rows.size()));
     case 1:
-      for (const int i : rows_) mine = std::max(mine, std::fabs(mean_[i]));
+      for (const int i : tension.rows) mine = std::max(mine, std::fabs(tension.K[i]));
       MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
       return all;
-    case 2: return owner_->sum(rows_.size());
-    case 3: return owner_->sum(ncontact_);
-    case 4: return owner_->sum(count_.few);
-    case 5: return owner_->sum(count_.unknown);
-    case 6: return owner_->sum(count_.limited);
-    case 7: return owner_->sum(undirected_);
+    case 2: return owner_->sum(tension.rows.size());
+    case 3: return owner_->sum(tension.contacts);
+    case 4: return owner_->sum(tension.count.few);
+    case 5: return owner_->sum(tension.count.unknown);
+    case 6: return owner_->sum(tension.count.limited);
+    case 7: return owner_->sum(tension.undirected);
     default: return owner_->sum(held_);
   }
 }
 
 double FixAleisphTension::memory_usage()
 {
-  return wide_.bytes() +
-      sizeof(double) *
-      (N_.size() + K_.size() + known_.size() + mean_.size() + p_.size() + cosine_.size() +
-       contact_.size() + plane_.size() + lambda_.size() + grad_v_.size() + filtered_.size());
+  return (model_ ? model_->bytes() : 0.0) +
+      sizeof(double) * (p_.size() + cosine_.size() + grad_v_.size() + filtered_.size());
 }

@@ -16,13 +16,11 @@ FixStyle(aleisph/tension,FixAleisphTension);
 #ifndef LMP_FIX_ALEISPH_TENSION_H
 #define LMP_FIX_ALEISPH_TENSION_H
 
-#include "aleisph_contact.h"
-#include "aleisph_roughness.h"
-#include "aleisph_surface_hold.h"
 #include "aleisph_tension.h"
 #include "fix.h"
 #include "fix_aleisph.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -49,17 +47,18 @@ class FixAleisphTension :
   double memory_usage() override;
 
   // AleisphTension, owned particles, zero away from the surface
-  const double *surface_pressure() const override;
-  const double *curvature() const override { return mean_.data(); }
-  const double *surface_normal() const override { return N_.data(); }
-  const double *contact() const override { return contact_.empty() ? nullptr : contact_.data(); }
+  const double *surface_pressure() const override { return p_.data(); }
+  const double *curvature() const override { return result().K.data(); }
+  const double *surface_normal() const override { return result().N.data(); }
+  const double *contact() const override
+  {
+    return result().contact.empty() ? nullptr : result().contact.data();
+  }
   void add_acceleration(double *a) override;
   void guard_velocity(double *v) override;
   void time_step_limits(aleisph::StepBounds &limits) const override;
 
  private:
-  enum class Model { TANGENT, PUBLISHED };
-
   // the angle on the walls of a group: constant, or an equal- or atom-style variable
   struct Angle {
     int groupbit;
@@ -72,16 +71,14 @@ class FixAleisphTension :
   void set_form(const std::string &word);
   void resolve_angles() const;
   void evaluate_angles();
+  void make_model();
+  const aleisph::TensionResult &result() const { return model_->result(); }
   void rebuild();
-  void find_contact_lines();
-  void find_normals();
-  void find_curvature();
-  void set_contact_angle();
   void find_pressure();
+  void find_velocity_gradient(const aleisph::Rows &rows);
   void check_time_step() const;
-  double viscous_pressure_factor() const;
 
-  Model model_;
+  bool published_;        // the model: published or tangent
   double given_sigma_;    // by the command, < 0: that of the fluid
   double sigma_;          // in force
   double factor_, delta_, filter_;
@@ -90,18 +87,14 @@ class FixAleisphTension :
 
   FixAleisph *owner_;
   class NeighList *list_;
+  std::unique_ptr<aleisph::TensionModel> model_;
   bool walls_;
-  aleisph::ContactParams contact_params_;
-  aleisph::CurvatureCount count_;
-  int ncontact_, undirected_, held_;
-  long version_;
+  int held_;
+  long version_;    // of the positions that the model has seen
 
-  aleisph::Rows rows_;    // owned surface particles that feel tension
-  aleisph::Stencil wide_;
-  std::vector<double> N_, K_, known_, mean_, p_;
-  std::vector<double> share_;    // of the contact angle in K and normal, owned particles
-  std::vector<double> cosine_, contact_, plane_, lambda_, grad_v_;
-  std::vector<double> filtered_;
+  std::vector<double> cosine_;    // of the contact angle, owned and ghost
+  std::vector<double> p_;         // of the surface, owned
+  std::vector<double> grad_v_, filtered_;
 };
 
 }    // namespace LAMMPS_NS

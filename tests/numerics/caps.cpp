@@ -2,7 +2,9 @@
 
 #include "caps.h"
 
-#include "aleisph_tension.h"
+#include "aleisph_tension_contact_continuation.h"
+#include "aleisph_tension_contact_curvature.h"
+#include "aleisph_tension_tangent.h"
 #include "aleisph_wall_cone.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #ifndef ALEISPH_TEST_CAPS_H
 #define ALEISPH_TEST_CAPS_H
 
-#include "aleisph_contact.h"
+#include "aleisph_tension_contact.h"
 #include "cloud.h"
 
 #include <Eigen/Core>

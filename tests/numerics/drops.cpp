@@ -2,6 +2,9 @@
 
 #include "drops.h"
 
+#include "aleisph_tension_published.h"
+#include "aleisph_tension_tangent.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>

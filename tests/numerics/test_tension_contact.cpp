@@ -5,7 +5,7 @@
    made of particles are in equilibrium.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_tension.h"
+#include "aleisph_tension_contact_continuation.h"
 #include "caps.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
    The roughness of a velocity field: what it leaves alone and what it damps.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_roughness.h"
+#include "aleisph_tension_roughness.h"
 
 #include "cloud.h"
 

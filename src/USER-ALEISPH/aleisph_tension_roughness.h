@@ -13,12 +13,16 @@
    which out (3 per particle) is written.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_ROUGHNESS_H
-#define LMP_ALEISPH_ROUGHNESS_H
+#ifndef LMP_ALEISPH_TENSION_ROUGHNESS_H
+#define LMP_ALEISPH_TENSION_ROUGHNESS_H
 
 #include "aleisph_operators.h"
 
 namespace aleisph {
+
+// The share of it that a high-pass filter takes off in unit time: min(filter sqrt(sigma/(rho d^3)),
+// 1/dt), more in one step would overshoot
+double roughness_rate(double filter, double sigma, double rho, double d, double dt);
 
 void velocity_roughness(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
                         const double *v, const double *grad_v, double *out);

@@ -4,7 +4,8 @@
    which they are exact, and what is counted.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_tension.h"
+#include "aleisph_tension_published.h"
+#include "aleisph_tension_tangent.h"
 #include "aleisph_vectors.h"
 #include "drops.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_contact_walls.h"
+#include "aleisph_tension_contact_walls.h"
 
 #include "aleisph_vectors.h"
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_roughness.h"
+#include "aleisph_tension_roughness.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace aleisph {
 namespace {
@@ -18,6 +21,11 @@ void add_pair(const Stencil &s, int i, int k, double w, const double *v, const d
 }
 
 }    // namespace
+
+double roughness_rate(double filter, double sigma, double rho, double d, double dt)
+{
+  return std::min(filter * std::sqrt(sigma / (rho * d * d * d)), 1.0 / dt);
+}
 
 void velocity_roughness(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
                         const double *v, const double *grad_v, double *out)

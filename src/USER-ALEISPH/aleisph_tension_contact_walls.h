@@ -7,8 +7,8 @@
    lie between those of the faces, belong to none of them.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_CONTACT_WALLS_H
-#define LMP_ALEISPH_CONTACT_WALLS_H
+#ifndef LMP_ALEISPH_TENSION_CONTACT_WALLS_H
+#define LMP_ALEISPH_TENSION_CONTACT_WALLS_H
 
 #include "aleisph_roles.h"
 #include "aleisph_stencil.h"
