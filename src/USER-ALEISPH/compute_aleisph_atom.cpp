@@ -154,7 +154,7 @@ double ComputeAleisphAtom::value(Field field, int i)
 // zero if there is no surface tension
 double ComputeAleisphAtom::tension_value(Field field, int i) const
 {
-  const AleisphTension *tension = owner_->tension();
+  const aleisph::SurfaceTension *tension = owner_->scene().tension();
   if (!tension) return 0.0;
   switch (field) {
     case Field::KAPPA: return tension->curvature()[i];

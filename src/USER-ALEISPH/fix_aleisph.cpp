@@ -77,10 +77,8 @@ int rank_in_script(const std::string &style)
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
-    list_(nullptr), pressure_guard_(nullptr), velocity_guard_(nullptr), tension_(nullptr), nu_(0.0),
-    reach_(0.0), moving_(false), adaptive_(false), pressure_valid_(false), walls_located_(false),
-    ndry_(0), own_cutoff_(0.0), split_version_(-1), halo_field_(nullptr), halo_ncomp_(0),
-    packed_(nullptr)
+    list_(nullptr), reach_(0.0), pressure_valid_(false), walls_located_(false), ndry_(0),
+    own_cutoff_(0.0), split_version_(-1), halo_field_(nullptr), halo_ncomp_(0), packed_(nullptr)
 {
   parse(narg, arg);
 
@@ -201,29 +199,6 @@ void FixAleisph::check_fluid_fix(const Fix *fix) const
                  group->names[predictor->igroup]);
 }
 
-void FixAleisph::add_role(Role role, int bit)
-{
-  role_groups_.emplace_back(role, bit);
-}
-
-void FixAleisph::add_velocity_condition(AleisphVelocityCondition *condition)
-{
-  conditions_.push_back(condition);
-}
-
-void FixAleisph::set_surface(const AleisphSurface &surface)
-{
-  surface_ = surface;
-  cloud_->set_floor(surface.floor);
-}
-
-aleisph::StepBounds FixAleisph::time_step_limits() const
-{
-  aleisph::StepBounds limits;
-  for (const auto *style : step_limits_) style->time_step_limits(limits);
-  return limits;
-}
-
 double FixAleisph::particle_mass() const
 {
   return fluid_.rho0 * cloud_->volume();
@@ -263,16 +238,9 @@ double *FixAleisph::velocity()
 void FixAleisph::init()
 {
   FixAleisph::find(lmp, "Fix aleisph");
-  role_groups_.clear();
-  conditions_.clear();
-  accelerations_.clear();
-  walls_.clear();
-  step_limits_.clear();
-  pressure_guard_ = nullptr;
-  velocity_guard_ = nullptr;
-  tension_ = nullptr;
-  set_surface(AleisphSurface{false, 0.0, 0.0, 0.0, 0.0});
-  moving_ = adaptive_ = walls_located_ = false;
+  scene_.clear();
+  cloud_->set_floor(0.0);
+  walls_located_ = false;
 
   check_integrator();
   check_companions();
@@ -375,7 +343,7 @@ aleisph::CandidateList FixAleisph::candidates() const
 
 bool FixAleisph::positions_changed()
 {
-  if (moving_) return true;
+  if (scene_.moving()) return true;
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal + atom->nghost);
   return any(x_built_.size() != n ||
              (n && std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0));
@@ -394,10 +362,10 @@ void FixAleisph::rebuild()
   refuse_roles(found);
   locate_walls(found[3]);
   mark_dry_walls();
-  cloud_->update(atom->x, candidates(), dry_rule());
+  cloud_->update(atom->x, candidates(), scene_.dry_rule());
   if (const long coincident = sum(cloud_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
-  if (moving_ || n == 0)
+  if (scene_.moving() || n == 0)
     x_built_.clear();
   else
     x_built_.assign(&atom->x[0][0], &atom->x[0][0] + 3 * n);
@@ -421,9 +389,9 @@ void FixAleisph::assign_roles()
   const int *mask = atom->mask;
   cloud_->reset(atom->nlocal, n);
   Role *role = cloud_->role();
-  for (const auto &entry : role_groups_)
+  for (const auto &group : scene_.roles())
     for (int i = 0; i < n; i++)
-      if (mask[i] & entry.second) role[i] |= entry.first;
+      if (mask[i] & group.groupbit) role[i] |= group.role;
 }
 
 // the ID of an atom of this rank, if there is one, for each of three faults
@@ -479,8 +447,8 @@ void FixAleisph::check_atoms()
 
 void FixAleisph::complete_velocity(double *v)
 {
-  if (conditions_.empty()) forward(v, 3);
-  for (auto *condition : conditions_) condition->impose(v);
+  if (scene_.conditions().empty()) forward(v, 3);
+  for (auto *condition : scene_.conditions()) condition->impose(v);
 }
 
 /* ---------------------------------------------------------------------- */

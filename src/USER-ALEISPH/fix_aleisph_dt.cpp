@@ -115,7 +115,7 @@ void FixAleisphDt::init()
   if (igroup != owner_->igroup)
     error->all(FLERR, "Fix aleisph/dt: group must be that of fix {}, {}", owner_->id,
                group->names[owner_->igroup]);
-  owner_->set_adaptive_time_step();
+  owner_->scene().set_adaptive_step();
   warned_ = false;
   if (update->whichflag != 1) return;    // no run
   adopt_timestep();
@@ -173,7 +173,7 @@ double FixAleisphDt::time() const
 
 double FixAleisphDt::present_limit() const
 {
-  return control_.bounds(owner_->time_step_limits()).smallest();
+  return control_.bounds(owner_->scene().step_limits()).smallest();
 }
 
 void FixAleisphDt::remember()
@@ -186,7 +186,7 @@ void FixAleisphDt::remember()
 
 void FixAleisphDt::choose()
 {
-  const bool possible = control_.choose(owner_->time_step_limits(), time());
+  const bool possible = control_.choose(owner_->scene().step_limits(), time());
   const StepBound acting = control_.acting();
   const double dt = control_.state.bounds[acting];
   if (!possible && dt == 0.0)

@@ -4,7 +4,7 @@
    SPDX-License-Identifier: GPL-2.0-only
 
    Chooses the time step. What limits it is told by the styles that know
-   (AleisphTimeStepLimit); how the next step follows is in aleisph_timestep.h.
+   (aleisph::TimeStepLimit); how the next step follows is in aleisph_timestep.h.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS

@@ -82,13 +82,13 @@ void FixAleisphGuard::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/guard");
   owner_->check_fluid_fix(this);
-  if (selfterm_ && !owner_->surface().present)
+  if (selfterm_ && !owner_->scene().surface().present)
     error->all(FLERR, "Fix aleisph/guard: keyword selfterm needs a fix aleisph/surface");
   shifted_ = !modify->get_fix_by_style("^aleisph/shift$").empty();
   int flag, cols;
   if (walls_ > 0.0 && atom->find_custom(SHIFT, flag, cols) < 0)
     error->all(FLERR, "Fix aleisph/guard: keyword walls needs frame ale in fix aleisph/predictor");
-  if (limit_pressure_ || symmetric_ > 0.0 || selfterm_) owner_->set_pressure_guard(this);
+  if (limit_pressure_ || symmetric_ > 0.0 || selfterm_) owner_->scene().set_pressure_guard(this);
 }
 
 // What the first shift leads to is held off walls, too. A run that goes on has this done already.
@@ -123,7 +123,7 @@ void FixAleisphGuard::guard_pressure(double *p, double *grad)
   if (!selfterm_ && symmetric_ == 0.0) return;
   // they contain the pressure itself: that above the pressure outside, which must not act
   gauge_.assign(p, p + owner_->cloud().size());
-  for (double &value : gauge_) value -= owner_->surface().pressure;
+  for (double &value : gauge_) value -= owner_->scene().surface().pressure;
   if (selfterm_) correct_self_terms(gauge_.data(), grad);
   if (symmetric_ > 0.0) replace_gradients(gauge_.data(), grad);
 }

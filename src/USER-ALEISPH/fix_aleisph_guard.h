@@ -25,7 +25,7 @@ FixStyle(aleisph/guard,FixAleisphGuard);
 
 namespace LAMMPS_NS {
 
-class FixAleisphGuard : public Fix, private AleisphPressureGuard {
+class FixAleisphGuard : public Fix, private aleisph::PressureGuard {
  public:
   FixAleisphGuard(class LAMMPS *, int, char **);
   int setmask() override;

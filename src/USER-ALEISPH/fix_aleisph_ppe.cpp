@@ -184,7 +184,7 @@ void FixAleisphPPE::assemble()
   auto &cloud = owner_->cloud();
   // with viscosity the weights serve the predictor, too
   std::vector<double> laplacian = matrix_.release();
-  cloud.laplacian_weights(owner_->viscosity() > 0.0, laplacian);
+  cloud.laplacian_weights(owner_->scene().viscosity() > 0.0, laplacian);
   aleisph::PpeRows rows;
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
@@ -206,8 +206,8 @@ void FixAleisphPPE::assemble()
 aleisph::PpeOptions FixAleisphPPE::options() const
 {
   aleisph::PpeOptions options;
-  if (!owner_->surface().present) return options;
-  options.surface_offset = owner_->surface().offset * owner_->cloud().spacing();
+  if (!owner_->scene().surface().present) return options;
+  options.surface_offset = owner_->scene().surface().offset * owner_->cloud().spacing();
   const auto &cloud = owner_->cloud();
   options.min_wall_lambda = MIN_WALL_LAMBDA *
       aleisph::lattice_corner_lambda(cloud.kernel(), cloud.spacing());
@@ -236,8 +236,8 @@ void FixAleisphPPE::right_hand_side()
   fields.vwall = vwall;
   fields.div = div_.data();
   fields.p = owner_->pressure();
-  fields.p_surf = owner_->surface().pressure;
-  if (const auto *tension = owner_->tension()) fields.tension = tension->surface_pressure();
+  fields.p_surf = owner_->scene().surface().pressure;
+  if (const auto *tension = owner_->scene().tension()) fields.tension = tension->surface_pressure();
   aleisph::ppe_rhs(cloud, owner_->row_types(), fields, rhs_.data());
 }
 
@@ -267,14 +267,14 @@ void FixAleisphPPE::correct_velocity()
     const double factor = update->dt / owner_->rho0();
     grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
     aleisph::gradient(cloud, cloud.fluid(), owner_->pressure(), grad_.data());
-    if (owner_->surface().present) release_ballistic();
-    if (auto *guard = owner_->pressure_guard())
+    if (owner_->scene().surface().present) release_ballistic();
+    if (auto *guard = owner_->scene().pressure_guard())
       guard->guard_pressure(owner_->pressure(), grad_.data());
     for (const int i : cloud.fluid())
       for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
   }
-  if (auto *guard = owner_->velocity_guard()) guard->guard_velocity(v);
-  if (!owner_->velocity_conditions().empty()) owner_->complete_velocity(v);
+  if (auto *guard = owner_->scene().velocity_guard()) guard->guard_velocity(v);
+  if (!owner_->scene().conditions().empty()) owner_->complete_velocity(v);
 }
 
 void FixAleisphPPE::release_ballistic()

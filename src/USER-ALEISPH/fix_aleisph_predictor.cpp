@@ -164,8 +164,8 @@ void FixAleisphPredictor::post_constructor()
 void FixAleisphPredictor::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/predictor");
-  owner_->add_role(aleisph::FLUID, groupbit);
-  if (params_.frame != Frame::EULERIAN) owner_->set_moving();
+  owner_->scene().add_role(aleisph::FLUID, groupbit);
+  if (params_.frame != Frame::EULERIAN) owner_->scene().set_moving();
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix aleisph/predictor: group {} is empty", group->names[igroup]);
   if (modify->get_fix_by_style("^aleisph/predictor$").size() > 1)
@@ -173,13 +173,13 @@ void FixAleisphPredictor::init()
 
   nu_ = owner_->fluid().nu;
   if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->rho0() : params_.nu;
-  owner_->set_viscosity(nu_);
+  owner_->scene().set_viscosity(nu_);
   viscous_version_ = -1;
   check_shift();
   check_other_integrators();
   const auto &cloud = owner_->cloud();
   viscous_limit_ = aleisph::viscous_limit(cloud.kernel(), cloud.spacing(), nu_, params_.ab2);
-  owner_->add_time_step_limit(this);
+  owner_->scene().add_limit(this);
 }
 
 void FixAleisphPredictor::reset_dt()
@@ -212,7 +212,7 @@ void FixAleisphPredictor::check_viscous_limit() const
                "timestep of at most {:.6g}, or scheme be or cn",
                viscous_number(), safe_dt);
   // the message gives the safe step with six digits
-  if (update->dt > safe_dt * (1.0 + 1.0e-5) && !owner_->adaptive_time_step() && comm->me == 0)
+  if (update->dt > safe_dt * (1.0 + 1.0e-5) && !owner_->scene().adaptive_step() && comm->me == 0)
     error->warning(FLERR,
                    "Fix aleisph/predictor: nu dt/d^2 = {:.4g} is near the limit of explicit "
                    "viscosity; a timestep of at most {:.6g} is safe",
@@ -227,7 +227,7 @@ void FixAleisphPredictor::check_viscous_limit() const
 void FixAleisphPredictor::setup(int)
 {
   // a time step that is chosen is checked in reset_dt()
-  if (!owner_->adaptive_time_step()) check_viscous_limit();
+  if (!owner_->scene().adaptive_step()) check_viscous_limit();
   if (prescribed()) evaluate_transport();
   if (owner_->pressure_valid()) return;
   double *v = owner_->velocity();
@@ -362,7 +362,7 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 
 void FixAleisphPredictor::add_other_terms(std::vector<double> &a)
 {
-  for (auto *term : owner_->accelerations()) term->add_acceleration(a.data());
+  for (auto *term : owner_->scene().accelerations()) term->add_acceleration(a.data());
 }
 
 // Adams-Bashforth: replaces a by its second-order extrapolation to the middle of the step
@@ -468,7 +468,7 @@ void FixAleisphPredictor::assemble_viscous()
       viscous_.val(k) = share * weight[k];
     }
   for (const int i : cloud.buffer())
-    for (const auto *condition : owner_->velocity_conditions()) {
+    for (const auto *condition : owner_->scene().conditions()) {
       const int *const end = s.col() + s.end(i);
       const int *const place = std::find(s.col() + s.begin(i), end, condition->source(i));
       if (place != end) viscous_.val(static_cast<int>(place - s.col())) = -1.0;

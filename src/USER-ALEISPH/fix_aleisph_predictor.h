@@ -31,7 +31,7 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 
 namespace LAMMPS_NS {
 
-class FixAleisphPredictor : public Fix, private AleisphTimeStepLimit {
+class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
  public:
   FixAleisphPredictor(class LAMMPS *, int, char **);
   ~FixAleisphPredictor() override;

@@ -65,10 +65,10 @@ int FixAleisphPressure::setmask()
 void FixAleisphPressure::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/pressure");
-  owner_->add_role(aleisph::DIRICHLET, groupbit);
+  owner_->scene().add_role(aleisph::DIRICHLET, groupbit);
   if (buffer_bit_) {
-    owner_->add_role(aleisph::BUFFER, buffer_bit_);
-    owner_->add_velocity_condition(this);
+    owner_->scene().add_role(aleisph::BUFFER, buffer_bit_);
+    owner_->scene().add_condition(this);
   }
   version_ = -1;
 
@@ -86,7 +86,7 @@ void FixAleisphPressure::init()
 
 void FixAleisphPressure::setup_pre_force(int vflag)
 {
-  if (buffer_bit_ && owner_->moving())
+  if (buffer_bit_ && owner_->scene().moving())
     error->all(FLERR, "Fix aleisph/pressure: a buffer needs fix aleisph/predictor frame eulerian");
   pre_force(vflag);
 }

@@ -26,7 +26,7 @@ FixStyle(aleisph/pressure,FixAleisphPressure);
 
 namespace LAMMPS_NS {
 
-class FixAleisphPressure : public Fix, public AleisphVelocityCondition {
+class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
  public:
   FixAleisphPressure(class LAMMPS *, int, char **);
   int setmask() override;

@@ -147,7 +147,7 @@ void FixAleisphShift::init()
     if (ivar < 0 || !input->variable->equalstyle(ivar))
       error->all(FLERR, "Fix aleisph/shift: {} is not an equal-style variable", variable_);
   }
-  if (filter_ > 0.0 && owner_->surface().present) owner_->add_acceleration(this);
+  if (filter_ > 0.0 && owner_->scene().surface().present) owner_->scene().add_acceleration(this);
 }
 
 // A run that goes on keeps the shift that its last step left.
@@ -166,7 +166,7 @@ double FixAleisphShift::rate() const
   if (rate_ >= 0.0) return rate_;
   if (params_.model != ShiftModel::DENSITY) return RATE_FULL;
   if (params_.published) return RATE_PUBLISHED;
-  return owner_->surface().present ? RATE_SURFACE : RATE_FULL;
+  return owner_->scene().surface().present ? RATE_SURFACE : RATE_FULL;
 }
 
 double FixAleisphShift::dt_over_d() const
@@ -211,7 +211,8 @@ void FixAleisphShift::shift()
   if (params_.model == ShiftModel::DENSITY) {
     eps_.assign(cloud.size(), 0.0);
     aleisph::density_deviation(cloud, params_.published, eps_.data(),
-                               owner_->tension() ? owner_->tension()->curvature() : nullptr);
+                               owner_->scene().tension() ? owner_->scene().tension()->curvature()
+                                                         : nullptr);
     owner_->forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);

@@ -28,7 +28,7 @@ FixStyle(aleisph/shift,FixAleisphShift);
 
 namespace LAMMPS_NS {
 
-class FixAleisphShift : public Fix, private AleisphAcceleration {
+class FixAleisphShift : public Fix, private aleisph::Acceleration {
  public:
   FixAleisphShift(class LAMMPS *, int, char **);
   int setmask() override;

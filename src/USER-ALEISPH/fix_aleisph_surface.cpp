@@ -83,7 +83,8 @@ void FixAleisphSurface::init()
   const bool tension = !modify->get_fix_by_style("^aleisph/tension$").empty();
   surface_.offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
   params_.reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
-  owner_->set_surface(surface_);
+  owner_->scene().set_surface(surface_);
+  owner_->cloud().set_floor(surface_.floor);
   const double support = owner_->cloud().kernel().support() / owner_->cloud().spacing();
   params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
   version_ = -1;

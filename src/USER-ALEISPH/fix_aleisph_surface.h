@@ -36,7 +36,7 @@ class FixAleisphSurface : public Fix {
   void detect();
 
   aleisph::SurfaceParams params_;
-  AleisphSurface surface_;
+  aleisph::FreeSurface surface_;
   double offset_, reach_;    // as given, < 0: the default
   FixAleisph *owner_;
   long version_;    // of the positions that the flags belong to

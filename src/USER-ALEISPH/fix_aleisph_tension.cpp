@@ -65,7 +65,7 @@ FixAleisphTension::~FixAleisphTension()
 {
   if (!modify) return;
   for (Fix *fix : modify->get_fix_by_style("^aleisph$"))
-    dynamic_cast<FixAleisph *>(fix)->remove_tension(this);
+    dynamic_cast<FixAleisph *>(fix)->scene().remove_tension(this);
 }
 
 void FixAleisphTension::parse(int narg, char **arg)
@@ -155,7 +155,7 @@ void FixAleisphTension::init()
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
   owner_->check_fluid_fix(this);
-  if (!owner_->surface().present)
+  if (!owner_->scene().surface().present)
     error->all(FLERR, "Fix aleisph/tension needs a fix aleisph/surface, defined before it");
   sigma_ = given_sigma_ < 0.0 ? owner_->fluid().sigma : given_sigma_;
   if (given_sigma_ < 0.0 && sigma_ <= 0.0)
@@ -168,10 +168,10 @@ void FixAleisphTension::init()
   resolve_angles();
   version_ = -1;
 
-  owner_->set_tension(this);
-  owner_->add_time_step_limit(this);
-  if (walls_) owner_->set_velocity_guard(this);
-  if (filter_ > 0.0) owner_->add_acceleration(this);
+  owner_->scene().set_tension(this);
+  owner_->scene().add_limit(this);
+  if (walls_) owner_->scene().set_velocity_guard(this);
+  if (filter_ > 0.0) owner_->scene().add_acceleration(this);
   make_model();
 }
 
@@ -250,7 +250,7 @@ void FixAleisphTension::setup_pre_force(int vflag)
 
 void FixAleisphTension::setup(int vflag)
 {
-  if (!owner_->adaptive_time_step()) check_time_step();
+  if (!owner_->scene().adaptive_step()) check_time_step();
   if (force_form_) post_force(vflag);
 }
 
@@ -286,7 +286,7 @@ void FixAleisphTension::find_pressure()
 {
   p_.assign(atom->nlocal, 0.0);
   if (pressure_form_) aleisph::add_capillary_pressure(result(), sigma_, p_.data());
-  const double mu = viscous_ ? owner_->rho0() * owner_->viscosity() : 0.0;
+  const double mu = viscous_ ? owner_->rho0() * owner_->scene().viscosity() : 0.0;
   if (mu <= 0.0) return;
   owner_->forward(owner_->velocity(), 3);
   find_velocity_gradient(result().rows);
@@ -340,7 +340,7 @@ void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
 // Another fix has changed the time step during a run. That of fix aleisph/dt keeps the limit.
 void FixAleisphTension::reset_dt()
 {
-  if (update->whichflag == 1 && owner_ && !owner_->adaptive_time_step()) check_time_step();
+  if (update->whichflag == 1 && owner_ && !owner_->scene().adaptive_step()) check_time_step();
 }
 
 void FixAleisphTension::check_time_step() const
@@ -353,7 +353,7 @@ void FixAleisphTension::check_time_step() const
                "Fix aleisph/tension: timestep {:.6g} is above the capillary limit {:.6g}; use at "
                "most {:.6g}",
                dt, limit, safe);
-  if (dt > safe * (1.0 + 1.0e-5) && !owner_->adaptive_time_step() && comm->me == 0)
+  if (dt > safe * (1.0 + 1.0e-5) && !owner_->scene().adaptive_step() && comm->me == 0)
     error->warning(FLERR,
                    "Fix aleisph/tension: timestep {:.6g} is near the capillary limit {:.6g}; at "
                    "most {:.6g} is safe",

@@ -28,10 +28,10 @@ namespace LAMMPS_NS {
 
 class FixAleisphTension :
     public Fix,
-    public AleisphTension,
-    public AleisphAcceleration,
-    public AleisphVelocityGuard,
-    public AleisphTimeStepLimit {
+    public aleisph::SurfaceTension,
+    public aleisph::Acceleration,
+    public aleisph::VelocityGuard,
+    public aleisph::TimeStepLimit {
  public:
   FixAleisphTension(class LAMMPS *, int, char **);
   ~FixAleisphTension() override;
@@ -46,7 +46,7 @@ class FixAleisphTension :
   double compute_vector(int) override;
   double memory_usage() override;
 
-  // AleisphTension, owned particles, zero away from the surface
+  // aleisph::SurfaceTension, owned particles, zero away from the surface
   const double *surface_pressure() const override { return p_.data(); }
   const double *curvature() const override { return result().K.data(); }
   const double *surface_normal() const override { return result().N.data(); }

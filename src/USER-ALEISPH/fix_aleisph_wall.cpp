@@ -98,8 +98,8 @@ void FixAleisphWall::init()
   aleisph::Role role = aleisph::WALL;
   if (slip_) role |= aleisph::SLIP;
   if (curlcurl_) role |= aleisph::CURLCURL;
-  owner_->add_role(role, groupbit);
-  owner_->add_wall(this);
+  owner_->scene().add_role(role, groupbit);
+  owner_->scene().add_walls(this);
   searched_ = warned_ = false;
 
   if (group->count(igroup) == 0)
@@ -171,7 +171,7 @@ void FixAleisphWall::set_velocity()
    of this group is known.
 ------------------------------------------------------------------------- */
 
-int FixAleisphWall::find_normals(const aleisph::Stencil &walls)
+int FixAleisphWall::find_normals(const aleisph::Stencil &walls, const double *previous)
 {
   aleisph::Rows rows;
   bool first = true;
@@ -184,7 +184,7 @@ int FixAleisphWall::find_normals(const aleisph::Stencil &walls)
   }
   if (first) fallback_ = contradictory_ = wrong_ = 0;
   searched_ = true;
-  return given_.empty() ? compute_normals(walls, rows) : copy_given_normals(walls, rows);
+  return given_.empty() ? compute_normals(walls, rows, previous) : copy_given_normals(walls, rows);
 }
 
 bool FixAleisphWall::is_known(int i) const
@@ -213,12 +213,13 @@ int FixAleisphWall::copy_given_normals(const aleisph::Stencil &walls, const alei
   return rows.size();
 }
 
-int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows)
+int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows,
+                                    const double *previous)
 {
-  if (!owner_->surface().present) require_fluid(walls, rows);
+  if (!owner_->scene().surface().present) require_fluid(walls, rows);
   std::vector<aleisph::NormalStatus> status(atom->nlocal);
-  const aleisph::NormalCount count = aleisph::wall_normals(walls, rows, owner_->previous_normal(),
-                                                           owner_->cloud(), status);
+  const aleisph::NormalCount count = aleisph::wall_normals(walls, rows, previous, owner_->cloud(),
+                                                           status);
   fallback_ += count.fallback;
   contradictory_ += count.contradictory.size();
   for (const int i : count.contradictory) wrong_ = atom->tag[i];

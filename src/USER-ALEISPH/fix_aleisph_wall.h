@@ -24,7 +24,7 @@ FixStyle(aleisph/wall,FixAleisphWall);
 
 namespace LAMMPS_NS {
 
-class FixAleisphWall : public Fix, public AleisphWall {
+class FixAleisphWall : public Fix, public aleisph::NormalFinder {
  public:
   FixAleisphWall(class LAMMPS *, int, char **);
   int setmask() override;
@@ -35,7 +35,7 @@ class FixAleisphWall : public Fix, public AleisphWall {
   void end_of_step() override;
   double compute_scalar() override;
   double compute_vector(int) override;
-  int find_normals(const aleisph::Stencil &walls) override;
+  int find_normals(const aleisph::Stencil &walls, const double *previous) override;
 
  private:
   struct Component {
@@ -47,7 +47,8 @@ class FixAleisphWall : public Fix, public AleisphWall {
   void set_velocity();
   bool is_known(int i) const;
   int copy_given_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows);
-  int compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows);
+  int compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows,
+                      const double *previous);
   void require_fluid(const aleisph::Stencil &walls, const aleisph::Rows &rows) const;
   void check_normals();
   void warn_of_contradictions();

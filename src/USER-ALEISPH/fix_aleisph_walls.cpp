@@ -39,7 +39,7 @@ bool is_zero(const double *n)
 
 void FixAleisph::restore_walls()
 {
-  if (walls_.empty()) return;
+  if (scene_.walls().empty()) return;
   const double *stored = custom(WALL_SHAPE);
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(cloud_->role()[i] & aleisph::WALL)) continue;
@@ -51,7 +51,7 @@ void FixAleisph::restore_walls()
 // of this rank
 bool FixAleisph::walls_changed()
 {
-  if (walls_.empty()) return false;
+  if (scene_.walls().empty()) return false;
   bool changed = !walls_located_;
   for (int i = 0; i < atom->nlocal && !changed; i++)
     if (cloud_->role()[i] & aleisph::WALL)
@@ -62,7 +62,7 @@ bool FixAleisph::walls_changed()
 
 void FixAleisph::locate_walls(bool changed)
 {
-  if (walls_.empty()) return;
+  if (scene_.walls().empty()) return;
   aleisph::Timers::Scope scope(timers_, Part::OPERATORS);
   if (changed) {
     find_normals();
@@ -81,7 +81,7 @@ void FixAleisph::locate_walls(bool changed)
 void FixAleisph::find_normals()
 {
   const double *normal = cloud_->normal();
-  previous_normal_.assign(normal, normal + 3 * atom->nlocal);
+  const std::vector<double> previous(normal, normal + 3 * atom->nlocal);
   for (int i = 0; i < atom->nlocal; i++)
     if (cloud_->role()[i] & aleisph::WALL)
       std::fill_n(cloud_->normal() + 3 * i, 3, cloud_->shape()[i] = 0.0);
@@ -95,18 +95,17 @@ void FixAleisph::find_normals()
     forward(cloud_->normal(), 3);
     forward(cloud_->shape(), 1);
     found = 0;
-    for (auto *wall : walls_) found += wall->find_normals(stencil);
+    for (auto *walls : scene_.walls()) found += walls->find_normals(stencil, previous.data());
     found = sum(found);
   }
   tally_.wall_passes++;
-  previous_normal_.clear();
 }
 
 void FixAleisph::mark_dry_walls()
 {
-  if (!dry_rule() || walls_.empty()) return;
+  if (!scene_.dry_rule()) return;
   aleisph::Timers::Scope scope(timers_, Part::STENCIL);
-  ndry_ = aleisph::mark_dry_walls(atom->x, candidates(), surface_.dry_reach, *cloud_);
+  ndry_ = aleisph::mark_dry_walls(atom->x, candidates(), scene_.surface().dry_reach, *cloud_);
   forward_roles();
 }
 
