@@ -27,10 +27,13 @@ class AleisphHaloOperator : public aleisph::LinearOperator {
   int columns() const override { return owner_.cloud().size(); }
   void apply(double *x, double *y) override
   {
-    const aleisph::RowSplit &split = owner_.row_split();
-    owner_.start_halo(x);
+    const auto &cloud = owner_.cloud();
+    const auto &s = cloud.stencil();
+    const aleisph::RowSplit &split = owner_.ranks().split(s.rows(), s.ptr(), s.col(),
+                                                          cloud.version());
+    owner_.ranks().start(x);
     matrix_.multiply(split.interior, x, y);
-    owner_.finish_halo(x);
+    owner_.ranks().finish(x);
     matrix_.multiply(split.boundary, x, y);
   }
 

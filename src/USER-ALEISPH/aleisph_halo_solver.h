@@ -44,7 +44,8 @@ class AleisphRowTransfer : public aleisph::RowTransfer {
   {
     aleisph::Timers::Scope scope(owner_.timers(), aleisph::Part::COMM);
     transfer_->to_present(built, present);
-    owner_.count_messages(messages(), message_bytes());
+    owner_.ranks().traffic().messages += messages();
+    owner_.ranks().traffic().bytes += message_bytes();
   }
   int messages() const override { return transfer_->messages(); }
   double message_bytes() const override { return transfer_->message_bytes(); }
@@ -109,7 +110,7 @@ class AleisphHaloSolver : protected Pointers {
       return transfer;
     };
     AleisphHaloOperator op(A, owner);
-    const auto report = solver_.solve(op, {make, move}, owner.inner_product(), b, x, params);
+    const auto report = solver_.solve(op, {make, move}, owner.ranks(), b, x, params);
     tell_fallback();
     return report;
   }
@@ -125,7 +126,7 @@ class AleisphHaloSolver : protected Pointers {
     MPI_Scan(&mine, &end, 1, MPI_LONG_LONG, MPI_SUM, world);
     std::vector<double> number(owner.cloud().size());
     for (int i = 0; i < rows; i++) number[i] = static_cast<double>(end - rows + i);
-    owner.forward(number.data(), 1);
+    owner.ranks().forward(number.data(), 1);
     return std::vector<long long>(number.begin(), number.end());
   }
 

@@ -67,17 +67,30 @@ void HaloExchange::ask_owners(const std::vector<int> &wanted)
   }
 }
 
-void HaloExchange::start(double *x)
+namespace {
+
+// entry `from` of x becomes entry `to` of y
+inline void copy_entry(const double *x, std::size_t from, double *y, std::size_t to, int ncomp)
 {
-  for (std::size_t k = 0; k < send_index_.size(); k++) out_[k] = x[send_index_[k]];
-  values_.start(exchange_.comm(), SparseExchange::TAG, out_, in_);
-  for (const Copy &copy : images_) x[copy.to] = x[copy.from];
+  for (int c = 0; c < ncomp; c++) y[ncomp * to + c] = x[ncomp * from + c];
 }
 
-void HaloExchange::finish(double *x)
+}    // namespace
+
+void HaloExchange::start(double *x, int ncomp)
+{
+  if (out_.width() != ncomp) out_.set_width(ncomp);
+  if (in_.width() != ncomp) in_.set_width(ncomp);
+  for (std::size_t k = 0; k < send_index_.size(); k++)
+    copy_entry(x, send_index_[k], out_.data(), k, ncomp);
+  values_.start(exchange_.comm(), SparseExchange::TAG, out_, in_);
+  for (const Copy &copy : images_) copy_entry(x, copy.from, x, copy.to, ncomp);
+}
+
+void HaloExchange::finish(double *x, int ncomp)
 {
   values_.finish();
-  for (const Copy &copy : fill_) x[copy.to] = in_[copy.from];
+  for (const Copy &copy : fill_) copy_entry(in_.data(), copy.from, x, copy.to, ncomp);
 }
 
 double HaloExchange::bytes() const

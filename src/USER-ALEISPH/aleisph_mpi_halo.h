@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Halo exchange of one double per particle, straight from the rank that
+   Halo exchange of some doubles per particle, straight from the rank that
    owns a particle to each rank with ghosts of it: one message per pair of
    ranks, one entry per owner however many periodic images there are. LAMMPS'
    own exchange needs two swaps a dimension, one after the other. Ghosts
@@ -31,10 +31,10 @@ class HaloExchange {
   };
   void build(int nlocal, const std::vector<Owner> &owner);
 
-  // x: owned and ghost entries. Ghosts that are not remote() are valid after start(), all after
-  // finish(). Collective among neighbours.
-  void start(double *x);
-  void finish(double *x);
+  // x: owned and ghost entries of ncomp doubles. Ghosts that are not remote() are valid after
+  // start(), all after finish(). Collective among neighbours.
+  void start(double *x, int ncomp = 1);
+  void finish(double *x, int ncomp = 1);
 
   int columns() const { return static_cast<int>(canonical_.size()); }
   // per ghost: not zero if its owner is another rank
@@ -43,7 +43,7 @@ class HaloExchange {
   // on this rank the owned one, else the first ghost
   const int *canonical() const { return canonical_.data(); }
 
-  // what one exchange receives
+  // what one exchange of one double receives
   int messages() const { return static_cast<int>(in_.messages().size()); }
   double message_bytes() const { return in_.message_bytes(); }
   double bytes() const;    // memory held

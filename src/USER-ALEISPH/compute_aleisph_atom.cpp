@@ -116,7 +116,7 @@ std::vector<double> ComputeAleisphAtom::divergence() const
 {
   auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
   std::vector<double> div(atom->nlocal, 0.0);
   aleisph::divergence(cloud, cloud.fluid(), v, div.data());
   return div;

@@ -39,25 +39,6 @@ constexpr char WALL_SHAPE[] = "aleisph_n";
 // masses are typed or printed with seven digits at least
 constexpr double MASS_TOLERANCE = 1.0e-6;
 
-class MpiInnerProduct : public aleisph::InnerProduct {
- public:
-  MpiInnerProduct(MPI_Comm comm, aleisph::Timers &timers, AleisphTraffic &traffic) :
-      comm_(comm), timers_(timers), traffic_(traffic)
-  {
-  }
-  void sum(int n, double *values) const override
-  {
-    aleisph::Timers::Scope scope(timers_, Part::COMM);
-    traffic_.reductions++;
-    MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, comm_);
-  }
-
- private:
-  MPI_Comm comm_;
-  aleisph::Timers &timers_;
-  AleisphTraffic &traffic_;
-};
-
 // position of a style in the order that a script must follow, -1 if not one of ours
 int rank_in_script(const std::string &style)
 {
@@ -78,11 +59,11 @@ int rank_in_script(const std::string &style)
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
     list_(nullptr), reach_(0.0), pressure_valid_(false), walls_located_(false), ndry_(0),
-    own_cutoff_(0.0), split_version_(-1), halo_field_(nullptr), halo_ncomp_(0), packed_(nullptr)
+    own_cutoff_(0.0), halo_plan_(nullptr)
 {
   parse(narg, arg);
 
-  comm_forward = 9;
+  comm_forward = 2;
   restart_global = 1;
   vector_flag = 1;
   size_vector = 13;
@@ -91,8 +72,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 
   const aleisph::Kernel kernel(params_.kernel, domain->dimension, params_.h_over_d * spacing_);
   cloud_ = std::make_unique<aleisph::Cloud>(kernel, spacing_, timers_);
-  inner_product_ = std::make_unique<MpiInnerProduct>(world, timers_, traffic_);
-  halo_ = std::make_unique<aleisph::HaloExchange>(world);
+  ranks_ = std::make_unique<aleisph::Ranks>(world, timers_);
 }
 
 FixAleisph::~FixAleisph()
@@ -225,7 +205,7 @@ double *FixAleisph::previous_wall_velocity()
 
 bool FixAleisph::ready() const
 {
-  return !any(cloud_->version() == 0 || cloud_->stencil().rows() != atom->nlocal);
+  return !ranks_->any(cloud_->version() == 0 || cloud_->stencil().rows() != atom->nlocal);
 }
 
 double *FixAleisph::velocity()
@@ -249,7 +229,7 @@ void FixAleisph::init()
   require_reach(cloud_->kernel().support());
   neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(cloud_->kernel().support());
   timers_.reset();
-  traffic_ = AleisphTraffic();
+  ranks_->traffic() = aleisph::Traffic();
 }
 
 void FixAleisph::init_list(int, NeighList *list)
@@ -338,15 +318,15 @@ void FixAleisph::pre_force(int)
 // of the stencil: images of a particle are one column
 aleisph::CandidateList FixAleisph::candidates() const
 {
-  return {list_->numneigh, list_->firstneigh, NEIGHMASK, halo().canonical()};
+  return {list_->numneigh, list_->firstneigh, NEIGHMASK, ranks_->halo().canonical()};
 }
 
 bool FixAleisph::positions_changed()
 {
   if (scene_.moving()) return true;
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal + atom->nghost);
-  return any(x_built_.size() != n ||
-             (n && std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0));
+  return ranks_->any(x_built_.size() != n ||
+                     (n && std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0));
 }
 
 void FixAleisph::rebuild()
@@ -356,14 +336,14 @@ void FixAleisph::rebuild()
   vstar_.assign(3 * n, 0.0);
   row_types_.clear();
   restore_walls();
-  tagint found[4] = {0, 0, 0, walls_changed()};
+  long long found[4] = {0, 0, 0, walls_changed()};
   wrong_roles(found);
-  reduce_max(4, found);
+  ranks_->largest(4, found);
   refuse_roles(found);
   locate_walls(found[3]);
   mark_dry_walls();
   cloud_->update(atom->x, candidates(), scene_.dry_rule());
-  if (const long coincident = sum(cloud_->stencil().coincident()))
+  if (const long coincident = ranks_->sum(cloud_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
   if (scene_.moving() || n == 0)
     x_built_.clear();
@@ -378,7 +358,7 @@ void FixAleisph::require_finite(const double *v, const std::string &caller,
   for (int i = 0; i < atom->nlocal; i++)
     for (int a = 0; a < domain->dimension; a++)
       if (!std::isfinite(v[3 * i + a])) bad = atom->tag[i];
-  if ((bad = largest(bad)))
+  if ((bad = ranks_->largest(bad)))
     error->all(FLERR, "{}: {} of atom {} is not finite at step {}", caller, what, bad,
                update->ntimestep);
 }
@@ -395,7 +375,7 @@ void FixAleisph::assign_roles()
 }
 
 // the ID of an atom of this rank, if there is one, for each of three faults
-void FixAleisph::wrong_roles(tagint *atoms) const
+void FixAleisph::wrong_roles(long long *atoms) const
 {
   const int *mask = atom->mask;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -406,7 +386,7 @@ void FixAleisph::wrong_roles(tagint *atoms) const
   }
 }
 
-void FixAleisph::refuse_roles(const tagint *atoms) const
+void FixAleisph::refuse_roles(const long long *atoms) const
 {
   if (atoms[0])
     error->all(FLERR,
@@ -431,14 +411,14 @@ void FixAleisph::check_atoms()
     const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
     if (std::fabs(mass - m) > MASS_TOLERANCE * m) heavy = atom->tag[i];
   }
-  if ((nan = largest(nan)))
+  if ((nan = ranks_->largest(nan)))
     error->all(FLERR, "Fix aleisph: position or velocity of atom {} is not finite", nan);
-  if ((plane = largest(plane)))
+  if ((plane = ranks_->largest(plane)))
     error->all(FLERR,
                "Fix aleisph: atom {} has a velocity in z in a 2d simulation; use velocity set or "
                "fix enforce2d",
                plane);
-  if ((heavy = largest(heavy)))
+  if ((heavy = ranks_->largest(heavy)))
     error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}", heavy,
                domain->dimension, m);
 }
@@ -447,7 +427,7 @@ void FixAleisph::check_atoms()
 
 void FixAleisph::complete_velocity(double *v)
 {
-  if (scene_.conditions().empty()) forward(v, 3);
+  if (scene_.conditions().empty()) ranks_->forward(v, 3);
   for (auto *condition : scene_.conditions()) condition->impose(v);
 }
 
@@ -475,12 +455,12 @@ double FixAleisph::compute_vector(int n)
   const auto &counts = cloud.counts();
   if (!ready()) return 0.0;
   switch (n) {
-    case 0: return sum(cloud.fluid().size());
-    case 1: return sum(cloud.wall().size());
-    case 2: return sum(tally_.dirichlet_rows);
-    case 3: return sum(cloud.buffer().size());
-    case 4: return sum(cloud_->laplacian_rows().morris_count().total());
-    case 5: return sum(tally_.singular_rows);
+    case 0: return ranks_->sum(cloud.fluid().size());
+    case 1: return ranks_->sum(cloud.wall().size());
+    case 2: return ranks_->sum(tally_.dirichlet_rows);
+    case 3: return ranks_->sum(cloud.buffer().size());
+    case 4: return ranks_->sum(cloud_->laplacian_rows().morris_count().total());
+    case 5: return ranks_->sum(tally_.singular_rows);
     case 6: return counts.stencil;
     case 7: return counts.gradient;
     case 8: return tally_.ppe_builds;
@@ -488,13 +468,13 @@ double FixAleisph::compute_vector(int n)
     case 10: return counts.laplacian;
     case 11: {
       const auto &gradient = cloud_->gradient();
-      double smallest = 1.0, all;
+      double smallest = 1.0;
       for (const int i : cloud.fluid()) smallest = std::min(smallest, gradient.lambda(i));
-      MPI_Allreduce(&smallest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
-      return all;
+      return ranks_->min(smallest);
     }
     default:
-      return static_cast<double>(sum(cloud.stencil().pairs())) / std::max(1L, sum(atom->nlocal));
+      return static_cast<double>(ranks_->sum(cloud.stencil().pairs())) /
+          std::max(1L, ranks_->sum(atom->nlocal));
   }
 }
 
@@ -502,7 +482,7 @@ void FixAleisph::post_run()
 {
   report_timing();
   timers_.reset();    // run ... pre no does not come through init()
-  traffic_ = AleisphTraffic();
+  ranks_->traffic() = aleisph::Traffic();
 }
 
 void FixAleisph::report_timing()
@@ -530,8 +510,11 @@ void FixAleisph::report_timing()
                       tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
                       tally_.wall_passes);
   text += report_traffic();
-  const long morris = counts.laplacian ? sum(cloud_->laplacian_rows().morris_count().total()) : 0;
-  const long singular = sum(tally_.singular_rows), pivots = sum(tally_.replaced_pivots);
+  const long morris = counts.laplacian
+      ? ranks_->sum(cloud_->laplacian_rows().morris_count().total())
+      : 0;
+  const long singular = ranks_->sum(tally_.singular_rows),
+             pivots = ranks_->sum(tally_.replaced_pivots);
   if (morris || singular || pivots)
     text += fmt::format("ALEISPH guards in the last step: {} rows of Morris, {} singular rows, {} "
                         "replaced pivots\n",
@@ -541,5 +524,5 @@ void FixAleisph::report_timing()
 
 double FixAleisph::memory_usage()
 {
-  return cloud_->bytes() + halo_->bytes() + sizeof(double) * (vstar_.size() + x_built_.size());
+  return cloud_->bytes() + ranks_->bytes() + sizeof(double) * (vstar_.size() + x_built_.size());
 }

@@ -20,7 +20,7 @@ FixStyle(aleisph,FixAleisph);
 #include "aleisph_cloud.h"
 #include "aleisph_fluid.h"
 #include "aleisph_krylov.h"
-#include "aleisph_mpi_halo.h"
+#include "aleisph_mpi_ranks.h"
 #include "aleisph_ppe.h"
 #include "aleisph_scene.h"
 #include "fix.h"
@@ -37,12 +37,6 @@ struct AleisphTally {
   int singular_rows = 0, dirichlet_rows = 0;    // of this rank, last assembly
   int surface_rows = 0;
   int replaced_pivots = 0;    // of this rank, last preconditioner
-};
-
-// Communication of this rank since the start of the run, as far as it goes through the owner
-struct AleisphTraffic {
-  long reductions = 0, exchanges = 0, messages = 0;    // messages received
-  double bytes = 0.0;
 };
 
 class FixAleisph : public Fix {
@@ -97,27 +91,14 @@ class FixAleisph : public Fix {
   bool pressure_valid() const { return pressure_valid_; }
   void set_pressure_valid() { pressure_valid_ = true; }
 
-  // -- halo exchange of ncomp (1 or 3) doubles per particle
-  void forward(double *field, int ncomp);
-  // the same of one double for linear solves, which work in between: see HaloExchange
-  void start_halo(double *field);
-  void finish_halo(double *field);
-  const aleisph::HaloExchange &halo() const { return *halo_; }    // of the present local indices
-  // received otherwise: for the report after a run
-  void count_messages(int messages, double bytes);
-  const aleisph::RowSplit &row_split();    // rows of the stencil; boundary: with remote columns
   // impose the velocity conditions on v, then make its ghosts valid
   void complete_velocity(double *v);
 
-  // -- for errors that name an atom: the largest of all ranks' IDs, 0 if nobody has one
-  tagint largest(tagint tag) const;
   // an error in the caller's name if v (3 per particle) is not finite on an owned particle
   void require_finite(const double *v, const std::string &caller, const std::string &what) const;
-  long sum(long value) const;                       // over all ranks
-  bool any(bool mine) const;                        // on any rank
   double *custom(const std::string &name) const;    // d2_NAME as one array, null if there is none
 
-  const aleisph::InnerProduct &inner_product() const { return *inner_product_; }
+  aleisph::Ranks &ranks() { return *ranks_; }
   aleisph::Timers &timers() { return timers_; }
   AleisphTally &tally() { return tally_; }
 
@@ -135,13 +116,12 @@ class FixAleisph : public Fix {
   void check_masses() const;
   void check_atoms();
   void assign_roles();
-  void wrong_roles(tagint *atoms) const;
-  void refuse_roles(const tagint *atoms) const;
+  void wrong_roles(long long *atoms) const;
+  void refuse_roles(const long long *atoms) const;
   bool positions_changed();
   aleisph::CandidateList candidates() const;
   void rebuild();
   void build_halo();
-  void reduce_max(int n, tagint *values) const;
   void restore_walls();
   void locate_walls(bool changed);
   bool walls_changed();
@@ -163,18 +143,12 @@ class FixAleisph : public Fix {
 
   aleisph::Timers timers_;
   std::unique_ptr<aleisph::Cloud> cloud_;
-  std::unique_ptr<aleisph::InnerProduct> inner_product_;
+  std::unique_ptr<aleisph::Ranks> ranks_;
   std::vector<double> vstar_, x_built_;
   std::vector<aleisph::RowType> row_types_;
   AleisphTally tally_;
 
-  std::unique_ptr<aleisph::HaloExchange> halo_;
-  aleisph::RowSplit split_;
-  long split_version_;
-  double *halo_field_;
-  int halo_ncomp_;
-  const double *packed_;    // where the last message was packed
-  mutable AleisphTraffic traffic_;
+  double *halo_plan_;    // two doubles per particle, while the halo exchange is planned
 };
 
 }    // namespace LAMMPS_NS

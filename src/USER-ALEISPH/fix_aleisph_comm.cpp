@@ -3,8 +3,8 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   The owner's part about other ranks: halo exchanges and reductions, and
-   how many there were.
+   The owner's part about other ranks: the plan of the halo exchange, and the
+   report of how much was exchanged.
 ------------------------------------------------------------------------- */
 
 #include "fix_aleisph.h"
@@ -17,39 +17,11 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using aleisph::Part;
-
-void FixAleisph::forward(double *field, int ncomp)
-{
-  aleisph::Timers::Scope scope(timers_, Part::COMM);
-  halo_field_ = field;
-  halo_ncomp_ = ncomp;
-  traffic_.exchanges++;
-  comm->forward_comm(this, ncomp);
-}
-
-int FixAleisph::pack_forward_comm(int n, int *list, double *buf, int, int *)
-{
-  int m = 0;
-  for (int k = 0; k < n; k++)
-    for (int a = 0; a < halo_ncomp_; a++) buf[m++] = halo_field_[halo_ncomp_ * list[k] + a];
-  packed_ = buf;
-  return m;
-}
-
-// What a rank sends to itself is unpacked from where it was packed: no message
-void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
-{
-  if (n == 0) return;    // there may be no buffer
-  const std::size_t bytes = sizeof(double) * n * halo_ncomp_;
-  std::memcpy(halo_field_ + static_cast<std::size_t>(halo_ncomp_) * first, buf, bytes);
-  if (buf == packed_) return;
-  count_messages(1, static_cast<double>(bytes));
-}
 
 /* ----------------------------------------------------------------------
    Ghosts are told rank and index of their owner by LAMMPS' own exchange,
-   which knows ghosts of ghosts and periodic images.
+   which knows ghosts of ghosts and periodic images. All fields then go
+   straight from owner to ghost.
 ------------------------------------------------------------------------- */
 
 void FixAleisph::build_halo()
@@ -60,79 +32,36 @@ void FixAleisph::build_halo()
     source[2 * i] = comm->me;
     source[2 * i + 1] = i;
   }
-  forward(source.data(), 2);
-  aleisph::Timers::Scope scope(timers_, Part::COMM);
+  halo_plan_ = source.data();
+  {
+    aleisph::Timers::Scope scope(timers_, aleisph::Part::COMM);
+    comm->forward_comm(this, 2);
+  }
+  halo_plan_ = nullptr;
   std::vector<aleisph::HaloExchange::Owner> owner(atom->nghost);
   for (int g = 0; g < atom->nghost; g++)
     owner[g] = {static_cast<int>(source[2 * (nlocal + g)]),
                 static_cast<int>(source[2 * (nlocal + g) + 1])};
-  halo_->build(nlocal, owner);
+  ranks_->plan(nlocal, owner);
 }
 
-void FixAleisph::start_halo(double *field)
+int FixAleisph::pack_forward_comm(int n, int *list, double *buf, int, int *)
 {
-  aleisph::Timers::Scope scope(timers_, Part::COMM);
-  traffic_.exchanges++;
-  count_messages(halo_->messages(), halo_->message_bytes());
-  halo_->start(field);
+  for (int k = 0; k < n; k++) std::copy_n(halo_plan_ + 2 * list[k], 2, buf + 2 * k);
+  return 2 * n;
 }
 
-void FixAleisph::finish_halo(double *field)
+void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
 {
-  aleisph::Timers::Scope scope(timers_, Part::COMM);
-  halo_->finish(field);
-}
-
-void FixAleisph::count_messages(int messages, double bytes)
-{
-  traffic_.messages += messages;
-  traffic_.bytes += bytes;
-}
-
-const aleisph::RowSplit &FixAleisph::row_split()
-{
-  if (split_version_ == cloud_->version()) return split_;
-  const auto &stencil = cloud_->stencil();
-  split_ = aleisph::split_rows(stencil.rows(), stencil.ptr(), stencil.col(), halo_->remote());
-  split_version_ = cloud_->version();
-  return split_;
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixAleisph::reduce_max(int n, tagint *values) const
-{
-  traffic_.reductions++;
-  MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_LMP_TAGINT, MPI_MAX, world);
-}
-
-tagint FixAleisph::largest(tagint tag) const
-{
-  reduce_max(1, &tag);
-  return tag;
-}
-
-long FixAleisph::sum(long value) const
-{
-  traffic_.reductions++;
-  MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_LONG, MPI_SUM, world);
-  return value;
-}
-
-bool FixAleisph::any(bool mine) const
-{
-  return largest(mine);
+  std::copy_n(buf, 2 * n, halo_plan_ + 2 * first);
 }
 
 std::string FixAleisph::report_traffic() const
 {
-  double mean[4] = {static_cast<double>(traffic_.reductions),
-                    static_cast<double>(traffic_.exchanges), static_cast<double>(traffic_.messages),
-                    traffic_.bytes};
-  MPI_Allreduce(MPI_IN_PLACE, mean, 4, MPI_DOUBLE, MPI_SUM, world);
+  const aleisph::Traffic mean = ranks_->mean_traffic();
   const double steps = static_cast<double>(std::max<bigint>(1, update->nsteps));
-  for (double &value : mean) value /= steps * comm->nprocs;
   return fmt::format("ALEISPH communication per step: {:.4g} reductions, {:.4g} halo exchanges, "
                      "{:.4g} messages, {:.4g} bytes per rank\n",
-                     mean[0], mean[1], mean[2], mean[3]);
+                     mean.reductions / steps, mean.exchanges / steps, mean.messages / steps,
+                     mean.bytes / steps);
 }

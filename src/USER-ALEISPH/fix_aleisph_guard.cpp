@@ -151,8 +151,8 @@ void FixAleisphGuard::limit_pressure(double *p, double *grad)
     low++;
   }
   double energy = 0.0;
-  if (owner_->sum(low)) {
-    owner_->forward(p, 1);
+  if (owner_->ranks().sum(low)) {
+    owner_->ranks().forward(p, 1);
     auto &cloud = owner_->cloud();
     work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
     aleisph::gradient(cloud, cloud.fluid(), p, grad);
@@ -196,7 +196,7 @@ void FixAleisphGuard::complete_inverses()
   const double *owned = owner_->cloud().gradient().inverse();
   inverse_.assign(6 * static_cast<std::size_t>(owner_->cloud().size()), 0.0);
   std::copy(owned, owned + 6 * static_cast<std::size_t>(atom->nlocal), inverse_.begin());
-  owner_->forward(inverse_.data(), 6);
+  owner_->ranks().forward(inverse_.data(), 6);
 }
 
 /* ----------------------------------------------------------------------
@@ -220,11 +220,11 @@ void FixAleisphGuard::collide()
 {
   auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
   const double reach = collision_ * cloud.spacing();
   counts_.assign(cloud.size(), 0.0);
   aleisph::count_approaching(cloud, v, reach, counts_.data());
-  owner_->forward(counts_.data(), 1);
+  owner_->ranks().forward(counts_.data(), 1);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   const int events = aleisph::collide(cloud, v, counts_.data(), reach, work_.data());
   record(COLLISION, events, change_velocity(work_));
@@ -250,7 +250,7 @@ void FixAleisphGuard::hold_off_walls()
   auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
   double *u = owner_->custom(SHIFT);
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
   std::vector<double> w(n, 0.0), dw(n, 0.0);
   work_.assign(n, 0.0);
@@ -306,10 +306,9 @@ void FixAleisphGuard::restart(char *buf)
 double FixAleisphGuard::compute_vector(int n)
 {
   const Record &record = records_[n % NUM_GUARDS];
-  double mine = n < NUM_GUARDS ? record.now : record.total, all;
+  double mine = n < NUM_GUARDS ? record.now : record.total;
   if (n >= 2 * NUM_GUARDS) mine = record.energy;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  return FixAleisph::find(lmp, "Fix aleisph/guard")->ranks().total(mine);
 }
 
 double FixAleisphGuard::memory_usage()

@@ -161,7 +161,7 @@ void FixAleisphPPE::solve()
   tally.replaced_pivots = solver_->solver().precond_report().replaced_pivots;
   act_on(report_);
   std::copy(p_.begin(), p_.begin() + atom->nlocal, p);
-  owner_->forward(p, 1);
+  owner_->ranks().forward(p, 1);
 }
 
 double FixAleisphPPE::rounding_level() const
@@ -173,7 +173,7 @@ double FixAleisphPPE::rounding_level() const
     for (int a = 0; a < 3; a++) squares[0] += vstar[3 * i + a] * vstar[3 * i + a];
     squares[1] += p[i] * p[i];
   }
-  owner_->inner_product().sum(2, squares);
+  owner_->ranks().sum(2, squares);
   return ROUNDING *
       (owner_->rho0() * owner_->cloud().spacing() / update->dt * std::sqrt(squares[0]) +
        std::sqrt(squares[1]));
@@ -191,7 +191,7 @@ void FixAleisphPPE::assemble()
     rows = aleisph::assemble_ppe(cloud, std::move(laplacian), options(), matrix_,
                                  owner_->row_types());
   }
-  closed_ = !owner_->any(rows.dirichlet + rows.singular + rows.surface > 0);
+  closed_ = !owner_->ranks().any(rows.dirichlet + rows.singular + rows.surface > 0);
   solver_->matrix_changed();
 
   auto &tally = owner_->tally();
@@ -296,16 +296,15 @@ double FixAleisphPPE::max_divergence()
 {
   auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
   div_.resize(atom->nlocal);
   aleisph::divergence(cloud, cloud.fluid(), v, div_.data());
-  double mine = 0.0, all;
+  double mine = 0.0;
   const auto &types = owner_->row_types();
   for (const int i : cloud.fluid())
     if (types.empty() || types[i] == aleisph::RowType::FLUID)
       mine = std::max(mine, std::fabs(div_[i]));
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all;
+  return owner_->ranks().max(mine);
 }
 
 double FixAleisphPPE::compute_scalar()

@@ -196,7 +196,7 @@ void FixAleisphPredictor::check_other_integrators() const
     bool shared = false;
     for (int i = 0; i < atom->nlocal; i++)
       if ((atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit)) shared = true;
-    if (owner_->any(shared))
+    if (owner_->ranks().any(shared))
       error->all(FLERR, "Fix {} ({}) would integrate fluid atoms as well as fix {} ({})", fix->id,
                  fix->style, id, style);
   }
@@ -231,7 +231,7 @@ void FixAleisphPredictor::setup(int)
   if (prescribed()) evaluate_transport();
   if (owner_->pressure_valid()) return;
   double *v = owner_->velocity();
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   auto &cloud = owner_->cloud();
@@ -289,7 +289,7 @@ void FixAleisphPredictor::evaluate_transport()
 
 void FixAleisphPredictor::final_integrate()
 {
-  owner_->forward(owner_->velocity(), 3);
+  owner_->ranks().forward(owner_->velocity(), 3);
   if (params_.theta > 0.0)
     predict_implicit();
   else
@@ -350,11 +350,11 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
   aleisph::Rows rows;
   for (const int i : cloud.wall())
     if (cloud.role()[i] & aleisph::CURLCURL) rows.push_back(i);
-  if (!owner_->any(!rows.empty())) return;
+  if (!owner_->ranks().any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
   aleisph::curl(cloud, cloud.all(), owner_->velocity(), vorticity.data());
-  owner_->forward(vorticity.data(), 3);
+  owner_->ranks().forward(vorticity.data(), 3);
   aleisph::curl(cloud, rows, vorticity.data(), work_.data());
   for (const int i : rows)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
@@ -429,7 +429,7 @@ void FixAleisphPredictor::predict_implicit()
   add_other_terms(a_);
   extrapolate(a_);
 
-  owner_->forward(owner_->pressure(), 1);
+  owner_->ranks().forward(owner_->pressure(), 1);
   grad_p_.assign(a_.size(), 0.0);
   aleisph::gradient(cloud, cloud.fluid(), owner_->pressure(), grad_p_.data());
   const double *v = owner_->velocity();
@@ -489,7 +489,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
 {
   double norm = 0.0;
   for (const double value : rhs) norm += value * value;
-  owner_->inner_product().sum(1, &norm);
+  owner_->ranks().sum(1, &norm);
   aleisph::KrylovParams krylov;
   krylov.rtol = 0.0;
   krylov.atol = params_.tolerance * std::sqrt(norm);
@@ -546,7 +546,7 @@ double FixAleisphPredictor::viscous_number() const
 double FixAleisphPredictor::largest_norm(const aleisph::Rows &rows, const double *v,
                                          const double *w) const
 {
-  double mine = 0.0, all;
+  double mine = 0.0;
   for (const int i : rows) {
     double square = 0.0;
     for (int k = 3 * i; k < 3 * i + 3; k++) {
@@ -555,8 +555,7 @@ double FixAleisphPredictor::largest_norm(const aleisph::Rows &rows, const double
     }
     mine = std::max(mine, square);
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return std::sqrt(all);
+  return std::sqrt(owner_->ranks().max(mine));
 }
 
 // of fluid, particles and walls: a wall that starts to move meets fluid at rest

@@ -117,7 +117,7 @@ void FixAleisphPressure::set_pressure()
     if (!std::isfinite(p[i])) bad = atom->tag[i];
     pressure[i] = p[i];
   }
-  if ((bad = owner_->largest(bad)))
+  if ((bad = owner_->ranks().largest(bad)))
     error->all(FLERR, "Fix aleisph/pressure: pressure of atom {} is not finite at step {}", bad,
                update->ntimestep);
 }
@@ -139,7 +139,7 @@ void FixAleisphPressure::find_sources()
     buffer_.push_back(i);
     source_.push_back(j);
   }
-  if ((bad = owner_->largest(bad)))
+  if ((bad = owner_->ranks().largest(bad)))
     error->all(FLERR,
                "Fix aleisph/pressure: buffer atom {} has no fluid particle one spacing away in the "
                "buffer direction; align the layers or turn the direction towards the fluid",
@@ -179,13 +179,13 @@ void FixAleisphPressure::find_depth()
   for (const int i : buffer_) depth[i] = UNKNOWN;
   double deepest = 0.0;
   for (int sweep = 0; sweep <= MAX_DEPTH; sweep++) {
-    owner_->forward(depth.data(), 1);
+    owner_->ranks().forward(depth.data(), 1);
     double mine = 0.0;
     for (std::size_t k = 0; k < buffer_.size(); k++) {
       depth[buffer_[k]] = depth[source_[k]] + 1.0;
       mine = std::max(mine, depth[buffer_[k]]);
     }
-    MPI_Allreduce(&mine, &deepest, 1, MPI_DOUBLE, MPI_MAX, world);
+    deepest = owner_->ranks().max(mine);
     if (deepest < UNKNOWN) break;
   }
   if (deepest >= UNKNOWN)
@@ -196,11 +196,11 @@ void FixAleisphPressure::find_depth()
 void FixAleisphPressure::impose(double *v)
 {
   for (int sweep = 0; sweep < depth_; sweep++) {
-    owner_->forward(v, 3);
+    owner_->ranks().forward(v, 3);
     for (std::size_t k = 0; k < buffer_.size(); k++)
       for (int a = 0; a < 3; a++) v[3 * buffer_[k] + a] = v[3 * source_[k] + a];
   }
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
 }
 
 int FixAleisphPressure::source(int i) const

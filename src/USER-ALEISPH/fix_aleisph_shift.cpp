@@ -177,12 +177,11 @@ double FixAleisphShift::dt_over_d() const
 double FixAleisphShift::largest_speed() const
 {
   const double *v = owner_->velocity();
-  double mine = 0.0, all;
+  double mine = 0.0;
   for (const int i : owner_->cloud().fluid())
     mine = std::max(
         mine, v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2]);
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return std::sqrt(all);
+  return std::sqrt(owner_->ranks().max(mine));
 }
 
 // U
@@ -200,7 +199,7 @@ void FixAleisphShift::shift()
 {
   auto &cloud = owner_->cloud();
   double *v = owner_->velocity();
-  owner_->forward(v, 3);
+  owner_->ranks().forward(v, 3);
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const double scale = velocity_scale() * dt_over_d();
@@ -213,7 +212,7 @@ void FixAleisphShift::shift()
     aleisph::density_deviation(cloud, params_.published, eps_.data(),
                                owner_->scene().tension() ? owner_->scene().tension()->curvature()
                                                          : nullptr);
-    owner_->forward(eps_.data(), 1);
+    owner_->ranks().forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   const auto count = aleisph::compute_shift(cloud, params_, eps_.data(), v, dr_.data());
@@ -245,7 +244,7 @@ void FixAleisphShift::add_acceleration(double *a)
     if ((cloud.role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
       rows_.push_back(i);
   aleisph::velocity_gradient(cloud, rows_, owner_->velocity(), grad_v_.data());
-  owner_->forward(grad_v_.data(), 9);
+  owner_->ranks().forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   aleisph::surface_velocity_filter(cloud, rows_, owner_->velocity(), grad_v_.data(), work_.data());
   for (const int i : rows_)
@@ -278,22 +277,20 @@ double FixAleisphShift::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/shift");
   if (!owner_->ready()) return 0.0;
   const auto &fluid = owner_->cloud().fluid();
-  double mine = 0.0, all;
+  double mine = 0.0;
   switch (n) {
     case 0: return coefficient_;
-    case 1: return owner_->sum(limited_);
-    case 2: return owner_->sum(std::lround(limited_total_));
+    case 1: return owner_->ranks().sum(limited_);
+    case 2: return owner_->ranks().sum(std::lround(limited_total_));
     case 3:
       for (const int i : fluid)
         if (3 * static_cast<std::size_t>(i) < dr_.size())
           mine = std::max(mine, std::hypot(dr_[3 * i], dr_[3 * i + 1], dr_[3 * i + 2]));
-      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-      return all / owner_->cloud().spacing();
+      return owner_->ranks().max(mine) / owner_->cloud().spacing();
     default:
       for (const int i : fluid)
         if (static_cast<std::size_t>(i) < eps_.size()) mine += eps_[i];
-      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-      return all / std::max(1L, owner_->sum(fluid.size()));
+      return owner_->ranks().total(mine) / std::max(1L, owner_->ranks().sum(fluid.size()));
   }
 }
 

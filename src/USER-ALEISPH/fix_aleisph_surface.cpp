@@ -107,7 +107,7 @@ void FixAleisphSurface::detect()
   aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
   count_ = aleisph::detect_surface(cloud, params_);
   owner_->forward_roles();
-  owner_->forward(cloud.normal(), 3);
+  owner_->ranks().forward(cloud.normal(), 3);
   version_ = cloud.version();
 }
 
@@ -117,10 +117,10 @@ double FixAleisphSurface::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
   if (!owner_->ready()) return 0.0;
   switch (n) {
-    case 0: return owner_->sum(count_.surface);
-    case 1: return owner_->sum(count_.ballistic);
-    case 2: return owner_->sum(owner_->dry_walls());
-    case 3: return owner_->sum(owner_->cloud().gradient().clamped());
-    default: return owner_->sum(owner_->tally().surface_rows);
+    case 0: return owner_->ranks().sum(count_.surface);
+    case 1: return owner_->ranks().sum(count_.ballistic);
+    case 2: return owner_->ranks().sum(owner_->dry_walls());
+    case 3: return owner_->ranks().sum(owner_->cloud().gradient().clamped());
+    default: return owner_->ranks().sum(owner_->tally().surface_rows);
   }
 }

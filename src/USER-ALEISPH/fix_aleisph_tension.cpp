@@ -201,7 +201,7 @@ void FixAleisphTension::resolve_angles() const
     bigint count = 0;
     for (int i = 0; i < atom->nlocal; i++)
       count += (atom->mask[i] & angle.groupbit) && (atom->mask[i] & walls);
-    if (owner_->sum(count) == 0)
+    if (owner_->ranks().sum(count) == 0)
       error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
                  angle.group);
     if (angle.variable.empty()) continue;
@@ -232,13 +232,13 @@ void FixAleisphTension::evaluate_angles()
       if (!is_angle(values[i])) outside = atom->tag[i];
       cosine_[i] = std::cos(values[i] * DEGREE);
     }
-    if (ivar >= 0 && (outside = owner_->largest(outside)))
+    if (ivar >= 0 && (outside = owner_->ranks().largest(outside)))
       error->all(FLERR,
                  "Fix aleisph/tension: variable {} must lie between 0 and 180 degrees, for atom {} "
                  "it does not at step {}",
                  angle.variable, outside, update->ntimestep);
   }
-  owner_->forward(cosine_.data(), 1);
+  owner_->ranks().forward(cosine_.data(), 1);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -273,11 +273,11 @@ void FixAleisphTension::rebuild()
   aleisph::CandidateList far = {nullptr, nullptr, NEIGHMASK};
   if (list_) far = {list_->numneigh, list_->firstneigh, NEIGHMASK};
   model_->update({cloud, atom->x, far, walls_ ? cosine_.data() : nullptr,
-                  [this](double *field, int n) { owner_->forward(field, n); }});
+                  [this](double *field, int n) { owner_->ranks().forward(field, n); }});
   if (!result().share.empty()) {
     aleisph::contact_surface_normals(result().rows, result().share.data(), result().N.data(),
                                      cloud.normal());
-    owner_->forward(cloud.normal(), 3);
+    owner_->ranks().forward(cloud.normal(), 3);
   }
   version_ = owner_->cloud().version();
 }
@@ -288,7 +288,7 @@ void FixAleisphTension::find_pressure()
   if (pressure_form_) aleisph::add_capillary_pressure(result(), sigma_, p_.data());
   const double mu = viscous_ ? owner_->rho0() * owner_->scene().viscosity() : 0.0;
   if (mu <= 0.0) return;
-  owner_->forward(owner_->velocity(), 3);
+  owner_->ranks().forward(owner_->velocity(), 3);
   find_velocity_gradient(result().rows);
   aleisph::add_viscous_pressure(result(), mu, grad_v_.data(), domain->dimension, p_.data());
 }
@@ -368,23 +368,21 @@ double FixAleisphTension::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
   if (!owner_->ready() || version_ != owner_->cloud().version()) return 0.0;
   const aleisph::TensionResult &tension = result();
-  double mine = 0.0, all;
+  double mine = 0.0;
   switch (n) {
     case 0:
       for (const int i : tension.rows) mine += tension.K[i];
-      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-      return all / std::max(1L, owner_->sum(tension.rows.size()));
+      return owner_->ranks().total(mine) / std::max(1L, owner_->ranks().sum(tension.rows.size()));
     case 1:
       for (const int i : tension.rows) mine = std::max(mine, std::fabs(tension.K[i]));
-      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-      return all;
-    case 2: return owner_->sum(tension.rows.size());
-    case 3: return owner_->sum(tension.contacts);
-    case 4: return owner_->sum(tension.count.few);
-    case 5: return owner_->sum(tension.count.unknown);
-    case 6: return owner_->sum(tension.count.limited);
-    case 7: return owner_->sum(tension.undirected);
-    default: return owner_->sum(held_);
+      return owner_->ranks().max(mine);
+    case 2: return owner_->ranks().sum(tension.rows.size());
+    case 3: return owner_->ranks().sum(tension.contacts);
+    case 4: return owner_->ranks().sum(tension.count.few);
+    case 5: return owner_->ranks().sum(tension.count.unknown);
+    case 6: return owner_->ranks().sum(tension.count.limited);
+    case 7: return owner_->ranks().sum(tension.undirected);
+    default: return owner_->ranks().sum(held_);
   }
 }
 

@@ -207,7 +207,7 @@ int FixAleisphWall::copy_given_normals(const aleisph::Stencil &walls, const alei
     }
     if (!(std::fabs(square - 1.0) < UNIT_TOLERANCE)) bad = atom->tag[i];
   }
-  if ((bad = owner_->largest(bad)))
+  if ((bad = owner_->ranks().largest(bad)))
     error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", bad);
   aleisph::wall_shapes(walls, rows, owner_->cloud());
   return rows.size();
@@ -236,7 +236,7 @@ void FixAleisphWall::require_fluid(const aleisph::Stencil &walls, const aleisph:
     if (std::none_of(begin, end, [role](int j) { return role[j] & aleisph::FLUID; }))
       bad = atom->tag[i];
   }
-  if ((bad = owner_->largest(bad)))
+  if ((bad = owner_->ranks().largest(bad)))
     error->all(FLERR,
                "Fix aleisph/wall: atom {} has no fluid particle within the support, so its normal "
                "is unknown; remove it or use normals given",
@@ -253,7 +253,7 @@ void FixAleisphWall::check_normals()
     unknown_++;
     if (!(owner_->cloud().role()[i] & aleisph::DRY)) bad = atom->tag[i];
   }
-  if ((bad = owner_->largest(bad)))
+  if ((bad = owner_->ranks().largest(bad)))
     error->all(FLERR,
                "Fix aleisph/wall: other wall particles hide the fluid from atom {}, so its normal "
                "is unknown; remove it or use normals given",
@@ -263,7 +263,7 @@ void FixAleisphWall::check_normals()
 
 void FixAleisphWall::warn_of_contradictions()
 {
-  const tagint wrong = owner_->largest(wrong_);
+  const tagint wrong = owner_->ranks().largest(wrong_);
   if (wrong == 0 || warned_) return;
   warned_ = true;
   const auto number = static_cast<bigint>(compute_vector(2));
@@ -282,7 +282,6 @@ double FixAleisphWall::compute_scalar()
 
 double FixAleisphWall::compute_vector(int n)
 {
-  bigint mine[3] = {fallback_, unknown_, contradictory_}, all;
-  MPI_Allreduce(&mine[n], &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
+  const bigint mine[3] = {fallback_, unknown_, contradictory_};
+  return FixAleisph::find(lmp, "Fix aleisph/wall")->ranks().sum(static_cast<long>(mine[n]));
 }

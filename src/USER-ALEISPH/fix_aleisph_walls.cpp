@@ -73,8 +73,8 @@ void FixAleisph::locate_walls(bool changed)
       stored[COLUMNS * i + 3] = cloud_->shape()[i];
     }
   }
-  forward(cloud_->normal(), 3);
-  forward(cloud_->shape(), 1);
+  ranks_->forward(cloud_->normal(), 3);
+  ranks_->forward(cloud_->shape(), 1);
 }
 
 // Each sweep goes one particle further along walls that no fluid is near.
@@ -92,11 +92,11 @@ void FixAleisph::find_normals()
                 {cloud_->role(), aleisph::WALL, 0});
   long found = 1;
   while (found) {
-    forward(cloud_->normal(), 3);
-    forward(cloud_->shape(), 1);
+    ranks_->forward(cloud_->normal(), 3);
+    ranks_->forward(cloud_->shape(), 1);
     found = 0;
     for (auto *walls : scene_.walls()) found += walls->find_normals(stencil, previous.data());
-    found = sum(found);
+    found = ranks_->sum(found);
   }
   tally_.wall_passes++;
 }
@@ -113,7 +113,7 @@ void FixAleisph::forward_roles()
 {
   Role *role = cloud_->role();
   std::vector<double> bits(role, role + cloud_->size());
-  forward(bits.data(), 1);
+  ranks_->forward(bits.data(), 1);
   for (int i = atom->nlocal; i < cloud_->size(); i++) role[i] = static_cast<Role>(bits[i]);
   cloud_->roles_changed();
 }

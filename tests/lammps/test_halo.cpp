@@ -56,21 +56,26 @@ std::vector<HaloExchange::Owner> random_ghosts(const World &world, int n, unsign
   return owner;
 }
 
+// ncomp values per particle; component c of an owner is value() + 1e6 c
 void expect_exchange(HaloExchange &halo, const World &world,
-                     const std::vector<HaloExchange::Owner> &owner)
+                     const std::vector<HaloExchange::Owner> &owner, int ncomp)
 {
-  const int nlocal = owned(world, world.rank);
+  const int nlocal = owned(world, world.rank), nghost = static_cast<int>(owner.size());
+  const auto expected = [](const HaloExchange::Owner &o, int c) { return value(o) + 1.0e6 * c; };
   std::vector<double> x;
-  for (int i = 0; i < nlocal; i++) x.push_back(value({world.rank, i}));
-  x.resize(nlocal + owner.size(), STALE);
-  ASSERT_EQ(halo.columns(), static_cast<int>(x.size()));
-  halo.start(x.data());
-  for (std::size_t g = 0; g < owner.size(); g++) {
+  for (int i = 0; i < nlocal; i++)
+    for (int c = 0; c < ncomp; c++) x.push_back(expected({world.rank, i}, c));
+  x.resize(ncomp * (nlocal + owner.size()), STALE);
+  ASSERT_EQ(halo.columns(), nlocal + nghost);
+  halo.start(x.data(), ncomp);
+  for (int g = 0; g < nghost; g++) {
     EXPECT_EQ(halo.remote()[g] != 0, owner[g].rank != world.rank);
-    EXPECT_EQ(x[nlocal + g], halo.remote()[g] ? STALE : value(owner[g]));
+    for (int c = 0; c < ncomp; c++)
+      EXPECT_EQ(x[ncomp * (nlocal + g) + c], halo.remote()[g] ? STALE : expected(owner[g], c));
   }
-  halo.finish(x.data());
-  for (std::size_t g = 0; g < owner.size(); g++) EXPECT_EQ(x[nlocal + g], value(owner[g]));
+  halo.finish(x.data(), ncomp);
+  for (int g = 0; g < nghost; g++)
+    for (int c = 0; c < ncomp; c++) EXPECT_EQ(x[ncomp * (nlocal + g) + c], expected(owner[g], c));
 }
 
 void expect_canonical(const HaloExchange &halo, const World &world,
@@ -99,7 +104,7 @@ TEST(Halo, RandomGhosts)
     const int n = round % 3 == 0 ? 0 : round % 3 == 1 ? 40 : 9 * world.rank;
     const auto owner = random_ghosts(world, n, 100 * round);
     halo.build(owned(world, world.rank), owner);
-    for (int repeat = 0; repeat < 2; repeat++) expect_exchange(halo, world, owner);
+    for (const int ncomp : {1, 3, 1, 9}) expect_exchange(halo, world, owner, ncomp);
     expect_canonical(halo, world, owner);
 
     std::set<int> ranks;
@@ -125,23 +130,31 @@ void expect_lammps_halo(const Scene &scene, const std::string &more)
   LAMMPS &lmp = sim.lammps();
   FixAleisph *fix = FixAleisph::find(&lmp, "test");
   const int nlocal = lmp.atom->nlocal, nall = fix->cloud().size();
-  ASSERT_EQ(fix->halo().columns(), nall);
+  aleisph::Ranks &ranks = fix->ranks();
+  ASSERT_EQ(ranks.halo().columns(), nall);
 
-  std::vector<double> theirs(nall, STALE), ours;
-  for (int i = 0; i < nlocal; i++) theirs[i] = std::sin(3.0 * i + lmp.comm->me);
-  ours = theirs;
-  fix->forward(theirs.data(), 1);
-  fix->start_halo(ours.data());
-  fix->finish_halo(ours.data());
-  EXPECT_EQ(ours, theirs);
+  // what a ghost must have is told by its atom ID, which LAMMPS gives it
+  const auto expected = [&lmp](int i, int c) {
+    return std::sin(3.0 * static_cast<double>(lmp.atom->tag[i]) + c);
+  };
+  for (const int ncomp : {1, 3, 2, 9}) {
+    std::vector<double> field(ncomp * nall, STALE);
+    for (int i = 0; i < nlocal; i++)
+      for (int c = 0; c < ncomp; c++) field[ncomp * i + c] = expected(i, c);
+    ranks.forward(field.data(), ncomp);
+    for (int i = 0; i < nall; i++)
+      for (int c = 0; c < ncomp; c++) ASSERT_EQ(field[ncomp * i + c], expected(i, c));
+  }
 
-  for (int i = 0; i < nall; i++) EXPECT_EQ(theirs[fix->halo().canonical()[i]], theirs[i]);
+  for (int i = 0; i < nall; i++)
+    EXPECT_EQ(lmp.atom->tag[ranks.halo().canonical()[i]], lmp.atom->tag[i]);
   // the rows that wait are those with columns of other ranks, and only these
-  const auto &split = fix->row_split();
+  const auto &s = fix->cloud().stencil();
+  const auto &split = ranks.split(s.rows(), s.ptr(), s.col(), fix->cloud().version());
   EXPECT_EQ(split.interior.rows() + split.boundary.rows(), nlocal);
   if (sim.ranks() == 1) {
     EXPECT_EQ(split.boundary.rows(), 0);
-    EXPECT_EQ(fix->halo().messages(), 0);
+    EXPECT_EQ(ranks.halo().messages(), 0);
   }
 }
 

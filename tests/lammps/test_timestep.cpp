@@ -307,14 +307,14 @@ TEST(TimeStep, Max)
 namespace {
 
 // a style that knows a limit, as one for surface tension would
-class FixTension : public LAMMPS_NS::Fix, public LAMMPS_NS::AleisphTimeStepLimit {
+class FixTension : public LAMMPS_NS::Fix, public aleisph::TimeStepLimit {
  public:
   FixTension(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {}
   int setmask() override { return 0; }
   void init() override
   {
     auto *owner = LAMMPS_NS::FixAleisph::find(lmp, "Fix test/tension");
-    owner->add_time_step_limit(this);
+    owner->scene().add_limit(this);
     limit = aleisph::capillary_limit(owner->rho0(), owner->cloud().spacing(), 10.0);
   }
   void time_step_limits(StepBounds &limits) const override
