@@ -11,20 +11,21 @@ namespace aleisph {
 namespace {
 
 using Vec = Eigen::Vector3d;
-constexpr double ABOVE =
-    0.8;    // a particle is above a wall particle if it is off its normal by less
+// a particle is above a wall particle if it is off its normal by less, in spacings
+constexpr double ABOVE = 0.8;
 
-// normals of the walls that particle i is close to; nearest: the closest of their particles, or -1
-void walls_below(const Stencil &s, const Role *role, const double *normal, int i, double reach,
-                 double d, std::vector<Vec> &walls, int &nearest)
+// normals of the walls that particle i is close to; returns the nearest of their particles, or -1
+int walls_below(const Cloud &cloud, int i, double reach, std::vector<Vec> &walls)
 {
+  const Stencil &s = cloud.stencil();
+  const double d = cloud.spacing();
   walls.clear();
-  nearest = -1;
+  int nearest = -1;
   double closest = reach;
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    if (!(role[j] & WALL)) continue;
-    const Vec n = at(normal, j), r = separation(s, k);
+    if (!(cloud.role()[j] & WALL)) continue;
+    const Vec n = at(cloud.normal(), j), r = separation(s, k);
     const double height = n.dot(r);
     if (height >= reach || height < -0.5 * d || (r - height * n).norm() > ABOVE * d) continue;
     walls.push_back(n);
@@ -32,22 +33,22 @@ void walls_below(const Stencil &s, const Role *role, const double *normal, int i
     closest = height;
     nearest = j;
   }
+  return nearest;
 }
 
 }    // namespace
 
-int hold_surface(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
-                 double reach, double d, double *v)
+int hold_surface(const Cloud &cloud, const Rows &surface, double reach, double *v)
 {
   std::vector<Vec> walls;
-  int nearest, changed = 0;
+  int changed = 0;
   for (const int i : surface) {
-    walls_below(s, role, normal, i, reach, d, walls, nearest);
+    const int nearest = walls_below(cloud, i, reach, walls);
     if (nearest < 0) continue;
     const Vec wall = at(v, nearest), relative = at(v, i) - wall;
     const Vec held = without_parts_into_walls(relative, walls);
     if (held == relative) continue;
-    for (int a = 0; a < s.dim(); a++) v[3 * i + a] = wall[a] + held[a];
+    for (int a = 0; a < cloud.dim(); a++) v[3 * i + a] = wall[a] + held[a];
     changed++;
   }
   return changed;

@@ -15,12 +15,11 @@
 #ifndef LMP_ALEISPH_SURFACE_HOLD_H
 #define LMP_ALEISPH_SURFACE_HOLD_H
 
-#include "aleisph_operators.h"
+#include "aleisph_cloud.h"
 
 namespace aleisph {
 
-int hold_surface(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
-                 double reach, double d, double *v);
+int hold_surface(const Cloud &cloud, const Rows &surface, double reach, double *v);
 
 }    // namespace aleisph
 #endif

@@ -2,6 +2,8 @@
 
 #include "aleisph_tension.h"
 
+#include "aleisph_tension_contact_walls.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -10,8 +12,9 @@ namespace aleisph {
 
 void TensionModel::update(const TensionScene &scene)
 {
-  const std::size_t n = scene.cloud.size();
-  result_.rows = surface_rows(scene.cloud.fluid(), scene.cloud.role());
+  const Cloud &cloud = scene.cloud;
+  const std::size_t n = cloud.size();
+  result_.rows = surface_rows(cloud);
   result_.N.assign(3 * n, 0.0);
   result_.K.assign(n, 0.0);
   result_.count = {};
@@ -20,9 +23,8 @@ void TensionModel::update(const TensionScene &scene)
   result_.share.clear();
   if (scene.cosine) {
     result_.contact.assign(4 * n, 0.0);
-    result_.contacts = contact_normals(
-        scene.cloud.stencil(), result_.rows, scene.cloud.role(), scene.cloud.normal(), scene.cosine,
-        scene.cloud.spacing(), contact_params_, result_.contact.data(), scene.cloud.shape());
+    result_.contacts = contact_normals(ContactWalls(cloud, cloud.stencil(), scene.cosine),
+                                       result_.rows, contact_params_, result_.contact.data());
   }
   find_normals(scene);
   find_curvature(scene);
@@ -34,8 +36,17 @@ double TensionModel::bytes() const
       (result_.N.size() + result_.K.size() + result_.contact.size() + result_.share.size());
 }
 
-Rows surface_rows(const Rows &fluid, const Role *role)
+double CurvatureCount::limit(double K, double bound)
 {
+  if (std::abs(K) <= bound) return K;
+  limited++;
+  return std::copysign(bound, K);
+}
+
+Rows surface_rows(const Cloud &cloud)
+{
+  const Rows &fluid = cloud.fluid();
+  const Role *role = cloud.role();
   Rows rows;
   std::copy_if(fluid.begin(), fluid.end(), std::back_inserter(rows),
                [role](int i) { return bound_surface(role[i]); });

@@ -41,6 +41,9 @@ struct CurvatureCount {
   int few = 0;        // fewer than three fluid neighbours: K = 0
   int unknown = 0;    // no N, or no inverse of what it is found from: mean of neighbours with K
   int limited = 0;    // a principal curvature below -2/(3 d), or |K| > 1/d
+
+  // K, or the bound on its modulus; counted where that acts
+  double limit(double K, double bound);
 };
 
 struct TensionResult {
@@ -78,7 +81,7 @@ class TensionModel {
 };
 
 // owned fluid particles that are on the surface and not ballistic
-Rows surface_rows(const Rows &fluid, const Role *role);
+Rows surface_rows(const Cloud &cloud);
 
 // Normalises; returns the number of rows without a direction (N = 0)
 int normalise(const Rows &rows, double *N);

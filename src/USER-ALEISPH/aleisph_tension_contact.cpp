@@ -55,14 +55,16 @@ class ContactNormal {
 
 }    // namespace
 
-int bind_tips(const Stencil &s, const Rows &fluid, double d, Role *role)
+int bind_tips(Cloud &cloud)
 {
+  const Stencil &s = cloud.stencil();
+  Role *role = cloud.role();
   Rows bound;
-  for (const int i : fluid) {
+  for (const int i : cloud.fluid()) {
     if (!(role[i] & BALLISTIC)) continue;
     int walls = 0, others = 0;
     for (int k = s.begin(i); k < s.end(i); k++) {
-      if (s.r()[k] >= TIP_REACH * d) continue;
+      if (s.r()[k] >= TIP_REACH * cloud.spacing()) continue;
       const Role r = role[s.col()[k]];
       walls += (r & WALL) != 0;
       others += (r & (FLUID | WALL)) == FLUID;
@@ -70,20 +72,20 @@ int bind_tips(const Stencil &s, const Rows &fluid, double d, Role *role)
     if (others > 0 && walls >= s.dim()) bound.push_back(i);
   }
   for (const int i : bound) role[i] &= ~BALLISTIC;
+  cloud.roles_changed();
   return static_cast<int>(bound.size());
 }
 
-int contact_normals(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
-                    const double *cosine, double d, const ContactParams &params, double *contact,
-                    const double *shape)
+int contact_normals(const ContactWalls &walls, const Rows &surface, const ContactParams &params,
+                    double *contact)
 {
-  const ContactWalls walls(s, role, normal, cosine, shape, d);
+  const Cloud &cloud = walls.cloud();
   int count = 0;
   for (const int i : surface) {
     std::fill(contact + 4 * i, contact + 4 * i + 4, 0.0);
-    ContactNormal sum(at(normal, i));
+    ContactNormal sum(at(cloud.normal(), i));
     for (const ContactWall &wall : walls.nearest(i))
-      if (wall.height < params.reach * d) sum.add(wall);
+      if (wall.height < params.reach * cloud.spacing()) sum.add(wall);
     if (!sum.found()) continue;
     const Vector3d Nc = sum.value();
     for (int a = 0; a < 3; a++) contact[4 * i + a] = Nc[a];

@@ -24,9 +24,11 @@
 #ifndef LMP_ALEISPH_TENSION_CONTACT_H
 #define LMP_ALEISPH_TENSION_CONTACT_H
 
-#include "aleisph_operators.h"
+#include "aleisph_cloud.h"
 
 namespace aleisph {
+
+class ContactWalls;
 
 struct ContactParams {
   double reach = 1.9;              // of contact particles, in spacings
@@ -37,17 +39,15 @@ struct ContactParams {
 // sin of 14.5 degrees: a surface at less to a wall is parallel to it
 constexpr double PARALLEL = 0.25;
 
-// Clears BALLISTIC on those of the owned fluid rows listed that have fluid and at least dim wall
-// particles within 1.7 d; returns their number. role: owned and ghost; the caller updates ghosts.
-int bind_tips(const Stencil &s, const Rows &fluid, double d, Role *role);
+// Clears BALLISTIC on the fluid rows that have fluid and at least dim wall particles within 1.7 d;
+// returns their number. Reads roles of owned and ghost; the caller updates ghosts.
+int bind_tips(Cloud &cloud);
 
 // contact[4*i..4*i+2] = N_c of owned surface particle i, contact[4*i+3] = 1; all zero if it is
-// no contact particle. cosine: cos(theta) of walls, owned and ghost. normal: walls into the fluid,
-// surface particles outward. shape: that of walls as wall_shapes() has it, owned and ghost; null:
-// no wall has edges. Returns the number of contact particles.
-int contact_normals(const Stencil &s, const Rows &surface, const Role *role, const double *normal,
-                    const double *cosine, double d, const ContactParams &params, double *contact,
-                    const double *shape = nullptr);
+// no contact particle. Of the cloud, the normals of walls and of surface particles are read.
+// Returns the number of contact particles.
+int contact_normals(const ContactWalls &walls, const Rows &surface, const ContactParams &params,
+                    double *contact);
 
 // normal_i = (1 - share_i) normal_i + share_i N_i, normalised, on the rows listed
 void contact_surface_normals(const Rows &surface, const double *share, const double *N,

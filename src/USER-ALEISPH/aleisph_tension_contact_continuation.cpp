@@ -31,23 +31,35 @@ struct Sources {
     slope[directions++] = slope_along;
   }
 
+  // f(offset [d] along -n, fall of the plane there, volume of the cell [d^dim]), on the wall first
+  template <class F> void for_each(int depth, F &&f) const
+  {
+    const int deep[3] = {depth, directions > 1 ? depth : 0, directions > 2 ? depth : 0};
+    for (int a = 0; a <= deep[0]; a++)
+      for (int b = 0; b <= deep[1]; b++)
+        for (int c = 0; c <= deep[2]; c++)
+          f(a * n[0] + b * n[1] + c * n[2], a * slope[0] + b * slope[1] + c * slope[2],
+            volume(a, b, c));
+  }
+
+ private:
   double volume(int a, int b, int c) const
   {
     return 1.0 - (1.0 - cell) * ((a > 0) + (b > 0) + (c > 0)) / directions;
   }
 };
 
-Sources sources_below(const Stencil &wide, const ContactWalls &walls, const double *normal,
-                      const double *plane, int i, int k)
+Sources sources_below(const ContactWalls &walls, const double *plane, int i, int k)
 {
+  const int *col = walls.stencil().col();
   Sources below;
   const auto faces = walls.faces(i, k);
   if (faces.size() < 2 || faces.size() > 3) {
-    const int j = wide.col()[k];
-    below.add(at(normal, j), plane[2 * j + 1]);
+    const int j = col[k];
+    below.add(at(walls.cloud().normal(), j), plane[2 * j + 1]);
     return below;
   }
-  for (const auto &face : faces) below.add(face.n, plane[2 * wide.col()[face.pair] + 1]);
+  for (const auto &face : faces) below.add(face.n, plane[2 * col[face.pair] + 1]);
   const Vector3d across = below.n[0].cross(below.n[1]);
   below.cell = faces.size() == 2 ? across.norm() : std::abs(across.dot(below.n[2]));
   return below;
@@ -55,18 +67,22 @@ Sources sources_below(const Stencil &wide, const ContactWalls &walls, const doub
 
 }    // namespace
 
-void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, const double *normal,
-                    const double *contact, double d, double *plane, const ContactParams &params)
+void contact_planes(const Cloud &cloud, const WideStencil &wide, const double *contact,
+                    const ContactParams &params, double *plane)
 {
-  for (const int j : walls) {
-    plane[2 * j] = (role[j] & DRY) ? COVERED : -COVERED;
+  const Stencil &s = wide.pairs;
+  const double d = cloud.spacing();
+  for (const int j : cloud.all()) {
+    const Role role = cloud.role()[j];
+    if (!(role & WALL)) continue;
+    plane[2 * j] = (role & DRY) ? COVERED : -COVERED;
     plane[2 * j + 1] = 0.0;
-    const Vector3d n = at(normal, j);
+    const Vector3d n = at(cloud.normal(), j);
     double nearest2 = 0.0;
     int pair = -1;
-    for (int k = wide.begin(j); k < wide.end(j); k++) {
-      if (contact[4 * wide.col()[k] + 3] == 0.0) continue;
-      const Vector3d r = separation(wide, k);
+    for (int k = s.begin(j); k < s.end(j); k++) {
+      if (contact[4 * s.col()[k] + 3] == 0.0) continue;
+      const Vector3d r = separation(s, k);
       if (-r.dot(n) >= params.reach * d) continue;    // a particle on another wall
       const double along2 = (r - r.dot(n) * n).squaredNorm();
       if (pair >= 0 && along2 >= nearest2) continue;
@@ -74,37 +90,32 @@ void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, co
       pair = k;
     }
     if (pair < 0) continue;
-    const double *c = contact + 4 * wide.col()[pair];
+    const double *c = contact + 4 * s.col()[pair];
     const Vector3d Nc(c[0], c[1], c[2]);
-    plane[2 * j] = separation(wide, pair).dot(Nc) / d - 0.5;
+    plane[2 * j] = separation(s, pair).dot(Nc) / d - 0.5;
     plane[2 * j + 1] = n.dot(Nc);
   }
 }
 
-void add_continuation(const Stencil &wide, const Kernel &kernel, const Rows &surface,
-                      const Role *role, const double *normal, const double *plane, double volume,
-                      double d, const ContactParams &params, double *N, const double *shape)
+void add_continuation(const Cloud &cloud, const WideStencil &wide, const Rows &surface,
+                      const double *plane, const ContactParams &params, double *N)
 {
-  const ContactWalls walls(wide, role, normal, nullptr, shape, d);
+  const Stencil &s = wide.pairs;
+  const double d = cloud.spacing();
+  const ContactWalls walls(cloud, s, nullptr);
   for (const int i : surface) {
     Vector3d sum = Vector3d::Zero();
-    for (int k = wide.begin(i); k < wide.end(i); k++) {
-      const int j = wide.col()[k];
-      if (!(role[j] & WALL)) continue;
-      const Sources below = sources_below(wide, walls, normal, plane, i, k);
-      const int depth[3] = {params.depth, below.directions > 1 ? params.depth : 0,
-                            below.directions > 2 ? params.depth : 0};
-      for (int a = 0; a <= depth[0]; a++)
-        for (int b = 0; b <= depth[1]; b++)
-          for (int c = 0; c <= depth[2]; c++) {
-            const double fall = a * below.slope[0] + b * below.slope[1] + c * below.slope[2];
-            const double weight = std::clamp(0.5 - (plane[2 * j] - fall), 0.0, 1.0);
-            const Vector3d r = separation(wide, k) +
-                d * (a * below.n[0] + b * below.n[1] + c * below.n[2]);
-            const double distance = r.norm();
-            if (weight == 0.0 || distance == 0.0) continue;
-            sum -= volume * below.volume(a, b, c) * weight * kernel.dw(distance) / distance * r;
-          }
+    for (int k = s.begin(i); k < s.end(i); k++) {
+      const int j = s.col()[k];
+      if (!(cloud.role()[j] & WALL)) continue;
+      const Sources below = sources_below(walls, plane, i, k);
+      below.for_each(params.depth, [&](const Vector3d &offset, double fall, double volume) {
+        const double weight = std::clamp(0.5 - (plane[2 * j] - fall), 0.0, 1.0);
+        const Vector3d r = separation(s, k) + d * offset;
+        const double distance = r.norm();
+        if (weight == 0.0 || distance == 0.0) return;
+        sum -= cloud.volume() * volume * weight * wide.kernel.dw(distance) / distance * r;
+      });
     }
     for (int a = 0; a < 3; a++) N[3 * i + a] += sum[a];
   }

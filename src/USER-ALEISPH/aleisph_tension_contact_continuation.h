@@ -20,23 +20,21 @@
 #define LMP_ALEISPH_TENSION_CONTACT_CONTINUATION_H
 
 #include "aleisph_tension_contact.h"
+#include "aleisph_tension_wide.h"
 
 namespace aleisph {
 
 constexpr double COVERED = 1.0e3;
 
-// plane[2*j], plane[2*j+1] of the wall rows listed (owned). wide: their rows with all neighbours
-// within 4.8 d. contact: owned and ghost; those as high as reach above the wall belong to another.
-void contact_planes(const Stencil &wide, const Rows &walls, const Role *role, const double *normal,
-                    const double *contact, double d, double *plane,
-                    const ContactParams &params = ContactParams());
+// plane[2*j], plane[2*j+1] of owned walls. contact: owned and ghost; those as high as reach above the
+// wall belong to another.
+void contact_planes(const Cloud &cloud, const WideStencil &wide, const double *contact,
+                    const ContactParams &params, double *plane);
 
 // Adds the sources on and below the wall neighbours of the rows listed to N = -G; plane: owned
 // and ghost.
-void add_continuation(const Stencil &wide, const Kernel &kernel, const Rows &surface,
-                      const Role *role, const double *normal, const double *plane, double volume,
-                      double d, const ContactParams &params, double *N,
-                      const double *shape = nullptr);
+void add_continuation(const Cloud &cloud, const WideStencil &wide, const Rows &surface,
+                      const double *plane, const ContactParams &params, double *N);
 
 }    // namespace aleisph
 #endif

@@ -3,7 +3,7 @@
 #include "aleisph_tension_contact_curvature.h"
 
 #include "aleisph_tension_contact_walls.h"
-#include "aleisph_tension_tangent.h"
+#include "aleisph_tension_parts.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
@@ -112,15 +112,18 @@ class EdgeCurvature {
 };
 
 // at i, above one of the walls
-ContactCurvature near_wall(const Stencil &wide, const Role *role, const double *N, double d, int i,
+ContactCurvature near_wall(const ContactWalls &walls, const double *N, int i,
                            const ContactWall &wall)
 {
+  const Cloud &cloud = walls.cloud();
+  const Stencil &wide = walls.stencil();
+  const double d = cloud.spacing();
   const Vector3d Ni = at(N, i);
   ContactCurvature sums(wall, Ni, d, wide.dim());
   sums.add(Vector3d::Zero(), Ni, REACH * d);
   for (int k = wide.begin(i); k < wide.end(i); k++) {
     const int j = wide.col()[k];
-    if (!bound_surface(role[j]) || !(wide.r()[k] < REACH * d)) continue;
+    if (!bound_surface(cloud.role()[j]) || !(wide.r()[k] < REACH * d)) continue;
     const Vector3d Nj = at(N, j);
     if (Ni.dot(Nj) > SAME_SURFACE) sums.add(-separation(wide, k), Nj, REACH * d);
   }
@@ -129,17 +132,16 @@ ContactCurvature near_wall(const Stencil &wide, const Role *role, const double *
 
 }    // namespace
 
-int contact_curvature(const Stencil &wide, const Rows &surface, const Role *role,
-                      const double *normal, const double *cosine, const double *N, double d,
-                      const ContactParams &params, double *share, double *K, const double *shape)
+int contact_curvature(const ContactWalls &walls, const Rows &surface, const ContactParams &params,
+                      const double *N, double *share, double *K)
 {
-  const ContactWalls walls(wide, role, normal, cosine, shape, d);
+  const double d = walls.cloud().spacing();
   int count = 0;
   for (const int i : surface) {
     EdgeCurvature edge;
     for (const ContactWall &wall : walls.mean(i)) {
       if (!(wall.height < params.far * d)) continue;
-      const ContactCurvature sums = near_wall(wide, role, N, d, i, wall);
+      const ContactCurvature sums = near_wall(walls, N, i, wall);
       const double fade = (params.far - wall.height / d) / (params.far - params.near);
       edge.add(sums, sums.share() * smooth_step(fade));
     }

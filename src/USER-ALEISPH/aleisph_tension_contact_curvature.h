@@ -35,13 +35,11 @@
 
 namespace aleisph {
 
-// K_i becomes share_i K_c + (1 - share_i) K_i on the rows listed, |K_c| <= 1/d. N: unit vectors,
+// walls: seen through the wide stencil. K_i becomes share_i K_c + (1 - share_i) K_i on the rows listed, |K_c| <= 1/d. N: unit vectors,
 // owned and ghost. share: 0..1, one per owned particle, written on these rows. Returns the number
 // of rows where K_c met its bound.
-int contact_curvature(const Stencil &wide, const Rows &surface, const Role *role,
-                      const double *normal, const double *cosine, const double *N, double d,
-                      const ContactParams &params, double *share, double *K,
-                      const double *shape = nullptr);
+int contact_curvature(const ContactWalls &walls, const Rows &surface, const ContactParams &params,
+                      const double *N, double *share, double *K);
 
 }    // namespace aleisph
 #endif

@@ -30,19 +30,19 @@ bool is_new(const std::vector<Vector3d> &normals, const Vector3d &n)
 
 Vector3d ContactWalls::normal_at(int k) const
 {
-  return at(normal_, s_.col()[k]);
+  return at(cloud_.normal(), s_.col()[k]);
 }
 
 bool ContactWalls::is_edge(int k) const
 {
   const int j = s_.col()[k];
-  return shape_ && (role_[j] & WALL) && shape_[j] > CONCAVE;
+  return (cloud_.role()[j] & WALL) && cloud_.shape()[j] > CONCAVE;
 }
 
 // to the wall with this normal; null: any wall
 bool ContactWalls::belongs(int k, const Vector3d *face) const
 {
-  if (!(role_[s_.col()[k]] & WALL)) return false;
+  if (!(cloud_.role()[s_.col()[k]] & WALL)) return false;
   return !face || (!is_edge(k) && normal_at(k).dot(*face) > SAME_WALL);
 }
 
@@ -56,13 +56,14 @@ int ContactWalls::nearest_pair(int i, const Vector3d *face) const
 
 std::vector<ContactWalls::Face> ContactWalls::faces(int i, int k) const
 {
+  const double d = cloud_.spacing();
   std::vector<Face> found;
   if (!is_edge(k)) return found;
   for (int m = s_.begin(i); m < s_.end(i); m++) {
-    if (!(role_[s_.col()[m]] & WALL) || is_edge(m)) continue;
+    if (!(cloud_.role()[s_.col()[m]] & WALL) || is_edge(m)) continue;
     const Vector3d r = separation(s_, m) - separation(s_, k), n = normal_at(m);
     const Face face = {n, m, r.norm()};
-    if (face.distance >= NEXT * d_ || std::abs(r.dot(n)) >= IN_PLANE * d_) continue;
+    if (face.distance >= NEXT * d || std::abs(r.dot(n)) >= IN_PLANE * d) continue;
     const auto known = std::find_if(found.begin(), found.end(),
                                     [&n](const Face &f) { return f.n.dot(n) > SAME_FACE; });
     if (known == found.end())
@@ -82,7 +83,7 @@ std::vector<Vector3d> ContactWalls::face_normals(int i) const
   for (int k = s_.begin(i); k < s_.end(i); k++) {
     if (is_edge(k))
       edges.push_back(k);
-    else if ((role_[s_.col()[k]] & WALL) && (nearest < 0 || s_.r()[k] < s_.r()[nearest]))
+    else if ((cloud_.role()[s_.col()[k]] & WALL) && (nearest < 0 || s_.r()[k] < s_.r()[nearest]))
       nearest = k;
   }
   if (edges.empty() || nearest < 0) return {};

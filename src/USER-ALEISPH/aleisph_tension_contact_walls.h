@@ -10,8 +10,7 @@
 #ifndef LMP_ALEISPH_TENSION_CONTACT_WALLS_H
 #define LMP_ALEISPH_TENSION_CONTACT_WALLS_H
 
-#include "aleisph_roles.h"
-#include "aleisph_stencil.h"
+#include "aleisph_cloud.h"
 
 #include <Eigen/Core>
 #include <vector>
@@ -24,8 +23,7 @@ struct ContactWall {
   double cosine = 0.0;
 };
 
-// All by what row i of the stencil sees; fields valid on owned and ghost particles. shape: as
-// wall_shapes() has it; null: there are no edges.
+// All by what row i of the stencil sees, that of the cloud or a wider one
 class ContactWalls {
  public:
   // A face of the wall next to an edge particle
@@ -35,17 +33,19 @@ class ContactWalls {
     double distance;    // between these two
   };
 
-  ContactWalls(const Stencil &s, const Role *role, const double *normal, const double *cosine,
-               const double *shape, double d) :
-      s_(s),
-      role_(role), normal_(normal), cosine_(cosine), shape_(shape), d_(d)
+  // cosine: of the contact angle of walls; may be null where only faces() is asked for
+  ContactWalls(const Cloud &cloud, const Stencil &s, const double *cosine) :
+      cloud_(cloud), s_(s), cosine_(cosine)
   {
   }
+
+  const Cloud &cloud() const { return cloud_; }
+  const Stencil &stencil() const { return s_; }
 
   // by the lowest height first
   std::vector<ContactWall> nearest(int i) const { return walls(i, 0.0); }
   // means over the wall particles that are less than d farther than the nearest
-  std::vector<ContactWall> mean(int i) const { return walls(i, d_); }
+  std::vector<ContactWall> mean(int i) const { return walls(i, cloud_.spacing()); }
 
   // those that meet at the wall particle of pair k of i; none if that is not on a concave edge
   std::vector<Face> faces(int i, int k) const;
@@ -59,10 +59,9 @@ class ContactWalls {
   bool is_edge(int k) const;
   Eigen::Vector3d normal_at(int k) const;
 
+  const Cloud &cloud_;
   const Stencil &s_;
-  const Role *role_;
-  const double *normal_, *cosine_, *shape_;
-  double d_;
+  const double *cosine_;
 };
 
 }    // namespace aleisph

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    What the models of surface tension share: sums that may have no direction,
-   particles with too few neighbours, the bound on the curvature.
+   particles with too few neighbours, normals of one surface.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_TENSION_PARTS_H
 #define LMP_ALEISPH_TENSION_PARTS_H
 
-#include "aleisph_tension.h"
+#include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 
 namespace aleisph {
+
+// Normals further apart (73 degrees) belong to different surfaces: the other side of a film, the
+// other flank of a cusp. It must let pass 45 degrees, the turn between the rim and the edge of a
+// cube.
+constexpr double SAME_SURFACE = 0.3;
 
 // a buffer counts, too
 inline bool is_fluid(Role role)
@@ -23,20 +27,14 @@ inline bool is_fluid(Role role)
 }
 
 // fewer than three in the fluid: spray, a thread
-inline bool few_neighbours(const Stencil &s, const Role *role, int i)
+inline bool few_neighbours(const Cloud &cloud, int i)
 {
   constexpr int FEW = 3;
+  const Stencil &s = cloud.stencil();
+  const Role *role = cloud.role();
   const int *col = s.col();
   return std::count_if(col + s.begin(i), col + s.end(i),
                        [role](int j) { return is_fluid(role[j]); }) < FEW;
-}
-
-// |K| <= bound; counted where it was not
-inline double limit_curvature(double K, double bound, CurvatureCount &count)
-{
-  if (std::abs(K) <= bound) return K;
-  count.limited++;
-  return std::copysign(bound, K);
 }
 
 // sum of vectors that is zero where only rounding or cancellation is left

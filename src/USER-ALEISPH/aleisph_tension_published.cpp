@@ -10,27 +10,27 @@ namespace aleisph {
 
 using Vec3 = Eigen::Vector3d;
 
-void eigenvalue_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                         const double *lambda, double *N)
+void eigenvalue_gradient(const Cloud &cloud, const Rows &rows, const double *lambda, double *N)
 {
-  for (int i : rows) {
+  const Stencil &s = cloud.stencil();
+  for (const int i : rows) {
     Direction outward;
     for (int k = s.begin(i); k < s.end(i); k++) {
-      const Vec3 g_ij = pair_gradient(s, g, i, k);
+      const Vec3 g_ij = pair_gradient(s, cloud.gradient(), i, k);
       outward.add((lambda[i] - lambda[s.col()[k]]) * g_ij);
     }
     outward.store(N, i);
   }
 }
 
-CurvatureCount published_curvature(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                                   const Role *role, const double *N, double factor, double d,
-                                   double *K)
+CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const double *N,
+                                   double factor, double *K)
 {
+  const Stencil &s = cloud.stencil();
   CurvatureCount count;
-  for (int i : rows) {
+  for (const int i : rows) {
     K[i] = 0.0;
-    if (few_neighbours(s, role, i)) {
+    if (few_neighbours(cloud, i)) {
       count.few++;
       continue;
     }
@@ -39,25 +39,24 @@ CurvatureCount published_curvature(const Stencil &s, const GradientWeights &g, c
     double kappa = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
-      if (!bound_surface(role[j])) continue;
+      if (!bound_surface(cloud.role()[j])) continue;
       const Vec3 Nj = at(N, j);
       if (Nj.isZero(0.0)) continue;
-      const Vec3 g_ij = pair_gradient(s, g, i, k);
+      const Vec3 g_ij = pair_gradient(s, cloud.gradient(), i, k);
       kappa += factor * (Nj - Ni).dot(g_ij);
     }
-    K[i] = limit_curvature((s.dim() - 1) * kappa, 1.0 / d, count);
+    K[i] = count.limit((cloud.dim() - 1) * kappa, 1.0 / cloud.spacing());
   }
   return count;
 }
 
 void PublishedTension::find_normals(const TensionScene &scene)
 {
-  const GradientWeights &g = scene.cloud.gradient();
   double *N = result_.N.data();
   lambda_.assign(result_.K.size(), 0.0);
-  for (const int i : scene.cloud.all()) lambda_[i] = g.lambda(i);
+  for (const int i : scene.cloud.all()) lambda_[i] = scene.cloud.gradient().lambda(i);
   scene.exchange(lambda_.data(), 1);
-  eigenvalue_gradient(scene.cloud.stencil(), g, result_.rows, lambda_.data(), N);
+  eigenvalue_gradient(scene.cloud, result_.rows, lambda_.data(), N);
   result_.undirected = normalise(result_.rows, N);
   const std::vector<double> &contact = result_.contact;
   if (!contact.empty())    // Morikawa, Tsuji & Asai, Fig. 9
@@ -68,10 +67,8 @@ void PublishedTension::find_normals(const TensionScene &scene)
 
 void PublishedTension::find_curvature(const TensionScene &scene)
 {
-  const Cloud &cloud = scene.cloud;
-  result_.count = published_curvature(cloud.stencil(), cloud.gradient(), result_.rows,
-                                      scene.cloud.role(), result_.N.data(), factor_,
-                                      cloud.spacing(), result_.K.data());
+  result_.count = published_curvature(scene.cloud, result_.rows, result_.N.data(), factor_,
+                                      result_.K.data());
 }
 
 double PublishedTension::bytes() const

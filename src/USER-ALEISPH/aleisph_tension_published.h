@@ -34,13 +34,11 @@ class PublishedTension : public TensionModel {
 };
 
 // -N* of eq 25, not normalised, zero where it has no direction. lambda: owned and ghost.
-void eigenvalue_gradient(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                         const double *lambda, double *N);
+void eigenvalue_gradient(const Cloud &cloud, const Rows &rows, const double *lambda, double *N);
 
-// eq 27 with its factor, as K = (dim - 1) kappa
-CurvatureCount published_curvature(const Stencil &s, const GradientWeights &g, const Rows &rows,
-                                   const Role *role, const double *N, double factor, double d,
-                                   double *K);
+// eq 27 with its factor, as K = (dim - 1) kappa, |K| <= 1/d
+CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const double *N,
+                                   double factor, double *K);
 
 }    // namespace aleisph
 #endif

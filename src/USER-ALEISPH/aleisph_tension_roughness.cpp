@@ -8,16 +8,12 @@
 namespace aleisph {
 namespace {
 
-// adds w (v_j - v_i - (grad v)_i.r_ji), pair k of row i
-void add_pair(const Stencil &s, int i, int k, double w, const double *v, const double *grad_v,
-              double *out)
+// of a component of v with this gradient, towards the neighbour of pair k
+double slope_to(const Stencil &s, int k, const double *gradient)
 {
-  const int j = s.col()[k];
-  for (int a = 0; a < s.dim(); a++) {
-    double linear = 0.0;
-    for (int b = 0; b < s.dim(); b++) linear -= grad_v[9 * i + 3 * a + b] * s.e(b)[k];
-    out[3 * i + a] += w * (v[3 * j + a] - v[3 * i + a] - s.r()[k] * linear);
-  }
+  double slope = 0.0;
+  for (int b = 0; b < s.dim(); b++) slope -= gradient[b] * s.e(b)[k];
+  return slope;
 }
 
 }    // namespace
@@ -27,17 +23,22 @@ double roughness_rate(double filter, double sigma, double rho, double d, double 
   return std::min(filter * std::sqrt(sigma / (rho * d * d * d)), 1.0 / dt);
 }
 
-void velocity_roughness(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                        const double *v, const double *grad_v, double *out)
+void velocity_roughness(const Cloud &cloud, const double *v, const double *grad_v, double *out)
 {
-  for (const int i : fluid) {
+  const Stencil &s = cloud.stencil();
+  const int dim = cloud.dim();
+  for (const int i : cloud.fluid()) {
     for (int a = 0; a < 3; a++) out[3 * i + a] = 0.0;
-    if (!bound_fluid(role[i])) continue;
+    if (!bound_fluid(cloud.role()[i])) continue;
     double weights = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++) {
-      if (!bound_fluid(role[s.col()[k]])) continue;
-      const double w = 1.0 - s.r()[k] / kernel.support();
-      add_pair(s, i, k, w, v, grad_v, out);
+      const int j = s.col()[k];
+      if (!bound_fluid(cloud.role()[j])) continue;
+      const double w = 1.0 - s.r()[k] / cloud.kernel().support();
+      for (int a = 0; a < dim; a++) {
+        const double slope = slope_to(s, k, &grad_v[9 * i + 3 * a]);
+        out[3 * i + a] += w * (v[3 * j + a] - v[3 * i + a] - s.r()[k] * slope);
+      }
       weights += w;
     }
     for (int a = 0; a < 3 && weights > 0.0; a++) out[3 * i + a] /= weights;

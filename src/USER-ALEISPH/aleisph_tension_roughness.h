@@ -9,14 +9,14 @@
    inside, since lap grad phi = 0, but what alternates between neighbours is
    damped. Surface tension with little viscosity feeds such noise at the
    surface. It does not conserve momentum exactly.
-   v: owned and ghost; grad_v[9*i+3*a+b] = d v_a/d x_b of the rows listed, on
+   v: owned and ghost; grad_v[9*i+3*a+b] = d v_a/d x_b of the fluid rows, on
    which out (3 per particle) is written.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_TENSION_ROUGHNESS_H
 #define LMP_ALEISPH_TENSION_ROUGHNESS_H
 
-#include "aleisph_operators.h"
+#include "aleisph_cloud.h"
 
 namespace aleisph {
 
@@ -24,8 +24,7 @@ namespace aleisph {
 // 1/dt), more in one step would overshoot
 double roughness_rate(double filter, double sigma, double rho, double d, double dt);
 
-void velocity_roughness(const Stencil &s, const Kernel &kernel, const Rows &fluid, const Role *role,
-                        const double *v, const double *grad_v, double *out);
+void velocity_roughness(const Cloud &cloud, const double *v, const double *grad_v, double *out);
 
 }    // namespace aleisph
 #endif

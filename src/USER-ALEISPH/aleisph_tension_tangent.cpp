@@ -9,6 +9,7 @@
 
 #include "aleisph_tension_contact_continuation.h"
 #include "aleisph_tension_contact_curvature.h"
+#include "aleisph_tension_contact_walls.h"
 #include "aleisph_tension_parts.h"
 
 #include <Eigen/Dense>
@@ -62,16 +63,17 @@ class Brackets {
   Mat3 others_, tangent_, turn_ = Mat3::Zero(), moment_ = Mat3::Zero();
 };
 
-bool local_shape(const Stencil &s, const Role *role, const double *N, double volume, int i, Mat3 &A)
+bool local_shape(const Cloud &cloud, const double *N, int i, Mat3 &A)
 {
+  const Stencil &s = cloud.stencil();
   const Vec3 Ni = at(N, i);
   if (Ni.isZero(0.0)) return false;
   Brackets brackets(Ni, s.dim());
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    if (!bound_surface(role[j])) continue;
+    if (!bound_surface(cloud.role()[j])) continue;
     const Vec3 Nj = at(N, j), e = direction(s, k);
-    if (Ni.dot(Nj) > SAME_SURFACE) brackets.add(s.r()[k] * e, volume * s.dw()[k] * e, Nj);
+    if (Ni.dot(Nj) > SAME_SURFACE) brackets.add(s.r()[k] * e, cloud.volume() * s.dw()[k] * e, Nj);
   }
   return brackets.shape(A);
 }
@@ -105,15 +107,16 @@ struct Mean {
 };
 
 // over i and its neighbours with known K
-Mean local_mean(const Stencil &s, const Role *role, const double *N, const double *K,
-                const double *known, double reach, int i)
+Mean local_mean(const Cloud &cloud, const double *N, const double *K, const double *known, int i)
 {
+  const Stencil &s = cloud.stencil();
+  const double reach = MEAN_REACH * cloud.spacing();
   const Vec3 Ni = at(N, i);
   Mean mean;
   if (known[i] > 0.0) mean.add(1.0, K[i]);
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    if (s.r()[k] >= reach || !bound_surface(role[j]) || !(known[j] > 0.0)) continue;
+    if (s.r()[k] >= reach || !bound_surface(cloud.role()[j]) || !(known[j] > 0.0)) continue;
     if (Ni.dot(at(N, j)) > SAME_SURFACE) mean.add(1.0 - s.r()[k] / reach, K[j]);
   }
   return mean;
@@ -121,31 +124,16 @@ Mean local_mean(const Stencil &s, const Role *role, const double *N, const doubl
 
 }    // namespace
 
-Kernel wide_kernel(int dim, double d)
+CurvatureCount tangent_curvature(const Cloud &cloud, const Rows &rows, const double *N, double *K,
+                                 double *known)
 {
-  return Kernel(KernelType::WENDLAND_C2, dim, WIDE_H * d);
-}
-
-void wide_gradient(const Stencil &wide, const Rows &rows, const Role *role, double volume,
-                   double *N)
-{
-  for (int i : rows) {
-    Direction outward;
-    for (int k = wide.begin(i); k < wide.end(i); k++)
-      if (is_fluid(role[wide.col()[k]])) outward.add(-volume * wide.dw()[k] * direction(wide, k));
-    outward.store(N, i);
-  }
-}
-
-CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role *role,
-                                 const double *N, double volume, double *K, double *known)
-{
-  const double d = std::pow(volume, 1.0 / s.dim());
+  // in 3d not spacing() to the last bit
+  const double d = std::pow(cloud.volume(), 1.0 / cloud.dim());
   CurvatureCount count;
-  for (int i : rows) {
+  for (const int i : rows) {
     Mat3 A;
-    const bool few = few_neighbours(s, role, i);
-    const bool found = !few && local_shape(s, role, N, volume, i, A);
+    const bool few = few_neighbours(cloud, i);
+    const bool found = !few && local_shape(cloud, N, i, A);
     known[i] = found ? 1.0 : 0.0;
     K[i] = found ? outer_curvature(A, d, count) : 0.0;
     count.few += few;
@@ -154,47 +142,37 @@ CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role 
   return count;
 }
 
-void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *N,
-                      const double *K, const double *known, double d, double *mean,
-                      CurvatureCount &count)
+int smooth_curvature(const Cloud &cloud, const Rows &rows, const double *N, const double *K,
+                     const double *known, double *mean)
 {
-  for (int i : rows) {
+  CurvatureCount count;
+  for (const int i : rows) {
     mean[i] = 0.0;
-    if (few_neighbours(s, role, i)) continue;
-    mean[i] = limit_curvature(local_mean(s, role, N, K, known, MEAN_REACH * d, i).value(), 1.0 / d,
-                              count);
+    if (few_neighbours(cloud, i)) continue;
+    mean[i] = count.limit(local_mean(cloud, N, K, known, i).value(), 1.0 / cloud.spacing());
   }
+  return count.limited;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void TangentTension::find_normals(const TensionScene &scene)
 {
-  const Cloud &cloud = scene.cloud;
-  const bool walls = scene.cosine != nullptr;
-  wide_.build(kernel_, cloud.stencil().rows(), scene.x, scene.far,
-              {scene.cloud.role(), SURFACE | (walls ? WALL : 0u), 0});
   double *N = result_.N.data();
-  if (walls) find_planes(scene);
-  wide_gradient(wide_, result_.rows, scene.cloud.role(), cloud.volume(), N);
-  if (walls)
-    add_continuation(wide_, kernel_, result_.rows, scene.cloud.role(), scene.cloud.normal(),
-                     plane_.data(), cloud.volume(), cloud.spacing(), contact_params_, N,
-                     scene.cloud.shape());
+  wide_.build(scene.cloud, scene.x, scene.far);
+  if (scene.cosine) find_planes(scene);
+  wide_gradient(scene.cloud, wide_, result_.rows, N);
+  if (scene.cosine)
+    add_continuation(scene.cloud, wide_, result_.rows, plane_.data(), contact_params_, N);
   result_.undirected = normalise(result_.rows, N);
   scene.exchange(N, 3);
 }
 
 void TangentTension::find_planes(const TensionScene &scene)
 {
-  const Cloud &cloud = scene.cloud;
   scene.exchange(result_.contact.data(), 4);
-  plane_.assign(2 * (result_.N.size() / 3), 0.0);
-  Rows walls;    // dry ones, too
-  std::copy_if(cloud.all().begin(), cloud.all().end(), std::back_inserter(walls),
-               [&scene](int i) { return (scene.cloud.role()[i] & WALL) != 0; });
-  contact_planes(wide_, walls, scene.cloud.role(), scene.cloud.normal(), result_.contact.data(),
-                 cloud.spacing(), plane_.data(), contact_params_);
+  plane_.assign(2 * result_.K.size(), 0.0);
+  contact_planes(scene.cloud, wide_, result_.contact.data(), contact_params_, plane_.data());
   scene.exchange(plane_.data(), 2);
 }
 
@@ -204,23 +182,21 @@ void TangentTension::find_curvature(const TensionScene &scene)
   const double *N = result_.N.data();
   K_.assign(result_.K.size(), 0.0);
   known_.assign(result_.K.size(), 0.0);
-  result_.count = tangent_curvature(cloud.stencil(), result_.rows, scene.cloud.role(), N,
-                                    cloud.volume(), K_.data(), known_.data());
+  result_.count = tangent_curvature(cloud, result_.rows, N, K_.data(), known_.data());
   scene.exchange(K_.data(), 1);
   scene.exchange(known_.data(), 1);
-  smooth_curvature(cloud.stencil(), result_.rows, scene.cloud.role(), N, K_.data(), known_.data(),
-                   cloud.spacing(), result_.K.data(), result_.count);
+  result_.count.limited += smooth_curvature(cloud, result_.rows, N, K_.data(), known_.data(),
+                                            result_.K.data());
   if (!scene.cosine) return;
-  result_.share.assign(cloud.all().size(), 0.0);
-  result_.count.limited += contact_curvature(wide_, result_.rows, scene.cloud.role(),
-                                             scene.cloud.normal(), scene.cosine, N, cloud.spacing(),
-                                             contact_params_, result_.share.data(),
-                                             result_.K.data(), scene.cloud.shape());
+  result_.share.assign(cloud.owned(), 0.0);
+  result_.count.limited += contact_curvature(ContactWalls(cloud, wide_.pairs, scene.cosine),
+                                             result_.rows, contact_params_, N, result_.share.data(),
+                                             result_.K.data());
 }
 
 double TangentTension::bytes() const
 {
-  return TensionModel::bytes() + wide_.bytes() +
+  return TensionModel::bytes() + wide_.pairs.bytes() +
       sizeof(double) * (plane_.size() + K_.size() + known_.size());
 }
 

@@ -15,30 +15,22 @@
    5. near contact lines, the curvature that the contact angle demands
       (aleisph_tension_contact_curvature.h).
 
-   s is the stencil of the operators; conventions of aleisph_tension.h.
+   Conventions: see aleisph_tension.h.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_TENSION_TANGENT_H
 #define LMP_ALEISPH_TENSION_TANGENT_H
 
 #include "aleisph_tension.h"
+#include "aleisph_tension_wide.h"
 
 namespace aleisph {
 
-// kernel of the wide colour gradient
-constexpr double WIDE_H = 2.4;    // smoothing length in spacings; support 4.8 d
-Kernel wide_kernel(int dim, double d);
-
-// Normals further apart (73 degrees) belong to different surfaces: the other side of a film, the
-// other flank of a cusp. It must let pass 45 degrees, the turn between the rim and the edge of a
-// cube.
-constexpr double SAME_SURFACE = 0.3;
-
 class TangentTension : public TensionModel {
  public:
-  TangentTension(int dim, double d) : kernel_(wide_kernel(dim, d)) {}
+  TangentTension(int dim, double d) : wide_(dim, d) {}
 
-  double reach() const override { return kernel_.support(); }
+  double reach() const override { return wide_.kernel.support(); }
   bool binds_tips() const override { return true; }
   double bytes() const override;
 
@@ -49,27 +41,19 @@ class TangentTension : public TensionModel {
  private:
   void find_planes(const TensionScene &scene);
 
-  Kernel kernel_;
-  Stencil wide_;                     // rows of the surface and of walls
+  WideStencil wide_;
   std::vector<double> plane_;        // of contact, 2 per particle, owned and ghost
   std::vector<double> K_, known_;    // before the mean, owned and ghost
 };
 
-// -G_i, not normalised [1/length]; wide: rows with all neighbours, fluid and wall. Fluid
-// neighbours count fully, what is on and below walls is added by add_continuation(). Zero where
-// |G| is below 1e-6 of the sum of the moduli of its terms, which leaves no direction.
-void wide_gradient(const Stencil &wide, const Rows &rows, const Role *role, double volume,
-                   double *N);
-
-// Steps 2 and 3. volume: d^dim. K: NaN-free; known[i] = 1 if K_i could be computed, else 0 (and
-// K_i = 0); both one per particle, doubles, so that ghosts can be exchanged.
-CurvatureCount tangent_curvature(const Stencil &s, const Rows &rows, const Role *role,
-                                 const double *N, double volume, double *K, double *known);
+// Steps 2 and 3. K: NaN-free; known[i] = 1 if K_i could be computed, else 0 (and K_i = 0); both one
+// per particle, doubles, so that ghosts can be exchanged.
+CurvatureCount tangent_curvature(const Cloud &cloud, const Rows &rows, const double *N, double *K,
+                                 double *known);
 // Step 4 and the bound |K| <= 1/d; neighbours with N_i.N_j > 0.3 as far as K is known there. K and
-// known valid on owned and ghost
-void smooth_curvature(const Stencil &s, const Rows &rows, const Role *role, const double *N,
-                      const double *K, const double *known, double d, double *mean,
-                      CurvatureCount &count);
+// known valid on owned and ghost. Returns the number of rows where the bound acts.
+int smooth_curvature(const Cloud &cloud, const Rows &rows, const double *N, const double *K,
+                     const double *known, double *mean);
 
 }    // namespace aleisph
 #endif

@@ -266,7 +266,7 @@ void FixAleisphTension::rebuild()
 {
   auto &cloud = owner_->cloud();
   if (walls_ && model_->binds_tips()) {
-    aleisph::bind_tips(cloud.stencil(), cloud.fluid(), cloud.spacing(), cloud.role());
+    aleisph::bind_tips(cloud);
     owner_->forward_roles();
   }
   if (walls_) evaluate_angles();
@@ -316,8 +316,7 @@ void FixAleisphTension::add_acceleration(double *a)
                                               owner_->cloud().spacing(), update->dt);
   find_velocity_gradient(cloud.fluid());
   filtered_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_roughness(cloud.stencil(), cloud.kernel(), cloud.fluid(), cloud.role(),
-                              owner_->velocity(), grad_v_.data(), filtered_.data());
+  aleisph::velocity_roughness(cloud, owner_->velocity(), grad_v_.data(), filtered_.data());
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += rate * filtered_[k];
 }
@@ -325,8 +324,7 @@ void FixAleisphTension::add_acceleration(double *a)
 void FixAleisphTension::guard_velocity(double *v)
 {
   auto &cloud = owner_->cloud();
-  held_ = aleisph::hold_surface(cloud.stencil(), result().rows, cloud.role(), cloud.normal(),
-                                HOLD_REACH * cloud.spacing(), cloud.spacing(), v);
+  held_ = aleisph::hold_surface(cloud, result().rows, HOLD_REACH * cloud.spacing(), v);
 }
 
 /* ---------------------------------------------------------------------- */

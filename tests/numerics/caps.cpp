@@ -4,6 +4,7 @@
 
 #include "aleisph_tension_contact_continuation.h"
 #include "aleisph_tension_contact_curvature.h"
+#include "aleisph_tension_contact_walls.h"
 #include "aleisph_tension_tangent.h"
 #include "aleisph_wall_cone.h"
 
@@ -258,49 +259,49 @@ Contact::Contact(int dim, const CapPoints &points, const Point &n, double theta)
 
 Contact::Contact(int dim, const CapPoints &points, const std::vector<WallSide> &walls,
                  double theta) :
-    dim_(dim),
+    cloud(empty_cloud(Kernel(KernelType::CUBIC_SPLINE, dim, H), D)),
     nsurface_(static_cast<int>(points.surface.size())),
-    cloud_(together(points),
-           static_cast<int>(points.surface.size() + points.inner.size() + points.wall.size()),
-           4.8 * D)
+    points_(together(points),
+            static_cast<int>(points.surface.size() + points.inner.size() + points.wall.size()),
+            4.8 * D),
+    wide_(dim, D)
 {
-  const int total = cloud_.total(), fluid = total - static_cast<int>(points.wall.size());
-  role.assign(total, FLUID);
-  normal.assign(3 * total, 0.0);
+  const int total = points_.total(), fluid = total - static_cast<int>(points.wall.size());
+  cloud.reset(total, total);
+  std::fill_n(cloud.role(), fluid, FLUID);
   contact.assign(4 * total, 0.0);
   plane.assign(2 * total, 0.0);
-  N = normal;
-  cosine.assign(total, std::cos(theta));
-  shape.assign(total, 0.0);
+  N.assign(3 * total, 0.0);
+  cosine_.assign(total, std::cos(theta));
   K.assign(total, 0.0);
   share = K;
   for (int i = 0; i < nsurface_; i++) {
-    role[i] |= SURFACE;
+    cloud.role()[i] |= SURFACE;
     rows_.push_back(i);
   }
   for (int j = fluid; j < total; j++) {
-    role[j] = WALL;
+    cloud.role()[j] = WALL;
     walls_.push_back(j);
     const WallSide &side = walls[j - fluid];
-    std::copy(side.n.begin(), side.n.end(), &normal[3 * j]);
-    shape[j] = side.shape;
+    std::copy(side.n.begin(), side.n.end(), cloud.normal() + 3 * j);
+    cloud.shape()[j] = side.shape;
     const Eigen::Vector3d n(side.n.data());
     if (std::find(directions_.begin(), directions_.end(), n) == directions_.end())
       directions_.push_back(n);
   }
   mark_dry();
-  const PairFilter near = {role.data(), ~0u, DRY}, wide = {role.data(), SURFACE | WALL, 0};
-  s_.build(Kernel(KernelType::CUBIC_SPLINE, dim, H), total, cloud_.x(), cloud_.list(), near);
-  wide_.build(wide_kernel(dim, D), total, cloud_.x(), cloud_.list(), wide);
+  cloud.update(points_.x(), points_.list(), true);
+  wide_.build(cloud, points_.x(), points_.list());
 }
 
 void Contact::mark_dry()
 {
   for (const int j : walls_) {
+    const double reach = 1.2 * cloud.shape()[j] * D;
     bool dry = true;
-    for (const int i : cloud_.candidates(j))
-      if ((role[i] & FLUID) && distance(point(i), point(j)) < 1.2 * shape[j] * D) dry = false;
-    if (dry) role[j] |= DRY;
+    for (const int i : points_.candidates(j))
+      if ((cloud.role()[i] & FLUID) && distance(point(i), point(j)) < reach) dry = false;
+    if (dry) cloud.role()[j] |= DRY;
   }
 }
 
@@ -309,41 +310,49 @@ void Contact::set_normal(int i, const Point &n)
   std::copy(n.begin(), n.end(), &N[3 * i]);
 }
 
+int Contact::set_contact_normals()
+{
+  return contact_normals(ContactWalls(cloud, cloud.stencil(), cosine_.data()), rows_,
+                         ContactParams(), contact.data());
+}
+
+void Contact::set_planes()
+{
+  contact_planes(cloud, wide_, contact.data(), ContactParams(), plane.data());
+}
+
 int Contact::set_curvature()
 {
-  return contact_curvature(wide_, rows_, role.data(), normal.data(), cosine.data(), N.data(), D,
-                           params, share.data(), K.data(), shape.data());
+  return contact_curvature(ContactWalls(cloud, wide_.pairs, cosine_.data()), rows_, ContactParams(),
+                           N.data(), share.data(), K.data());
 }
 
 // as detect_surface() does: the colour gradient of the fluid without its part into walls
 void Contact::outward()
 {
-  wide_gradient(wide_, rows_, role.data(), 1.0, normal.data());
+  wide_gradient(cloud, wide_, rows_, cloud.normal());
   for (const int i : rows_) {
-    Eigen::Map<Eigen::Vector3d> v(&normal[3 * i]);
+    Eigen::Map<Eigen::Vector3d> v(cloud.normal() + 3 * i);
     v = without_parts_into_walls(v, directions_);
   }
-  normalise(rows_, normal.data());
+  normalise(rows_, cloud.normal());
 }
 
 void Contact::measure()
 {
+  TangentTension model(cloud.dim(), D);
+  measure(model);
+}
+
+void Contact::measure(TensionModel &model)
+{
   outward();
-  const double volume = std::pow(D, dim_);
-  const Kernel kernel = wide_kernel(dim_, D);
-  std::vector<double> known(K.size()), raw(K.size());
-  contact_normals(s_, rows_, role.data(), normal.data(), cosine.data(), D, params, contact.data(),
-                  shape.data());
-  contact_planes(wide_, walls_, role.data(), normal.data(), contact.data(), D, plane.data(),
-                 params);
-  wide_gradient(wide_, rows_, role.data(), volume, N.data());
-  add_continuation(wide_, kernel, rows_, role.data(), normal.data(), plane.data(), volume, D,
-                   params, N.data(), shape.data());
-  normalise(rows_, N.data());
-  CurvatureCount count = tangent_curvature(s_, rows_, role.data(), N.data(), volume, raw.data(),
-                                           known.data());
-  smooth_curvature(s_, rows_, role.data(), N.data(), raw.data(), known.data(), D, K.data(), count);
-  set_curvature();
+  model.update(
+      {cloud, points_.x(), points_.list(), cosine_.data(), [](double * /*field*/, int /*n*/) {}});
+  contact = model.result().contact;
+  N = model.result().N;
+  K = model.result().K;
+  share = model.result().share;
 }
 
 }    // namespace aleisph_test

@@ -8,7 +8,8 @@
 #ifndef ALEISPH_TEST_CAPS_H
 #define ALEISPH_TEST_CAPS_H
 
-#include "aleisph_tension_contact.h"
+#include "aleisph_tension.h"
+#include "aleisph_tension_wide.h"
 #include "cloud.h"
 
 #include <Eigen/Core>
@@ -46,39 +47,40 @@ struct WallSide {
   double shape = 1.0;
 };
 
-// Fluid on a wall with normal n, whose contact angle is theta. normal, N, share, K: per particle,
-// those on the surface first, then the inner ones and the wall.
+// Fluid on a wall with normal n, whose contact angle is theta. Particles: those on the surface first,
+// then the inner ones and the wall. N, share, K, contact, plane: per particle.
 class Contact {
  public:
   Contact(int dim, const CapPoints &points, const Point &n, double theta);
   // walls: one per wall particle
   Contact(int dim, const CapPoints &points, const std::vector<WallSide> &walls, double theta);
 
-  // contact particles, planes, N, K as in fix aleisph/tension
+  // contact particles, N, share, K as model tangent finds them
   void measure();
-  // contact_curvature() alone, on what is in N and K
+  void measure(aleisph::TensionModel &model);
+  // contact_normals(), contact_planes(), contact_curvature() alone, on what is there
+  int set_contact_normals();
+  void set_planes();
   int set_curvature();
 
   int surface() const { return nsurface_; }
-  const Point &point(int i) const { return cloud_.point(i); }
-  const aleisph::Stencil &near() const { return s_; }
-  const aleisph::Stencil &wide() const { return wide_; }
+  const Point &point(int i) const { return points_.point(i); }
   const aleisph::Rows &rows() const { return rows_; }
   const aleisph::Rows &walls() const { return walls_; }
-  void set_normal(int i, const Point &n);
+  void set_normal(int i, const Point &n);    // N
 
-  aleisph::ContactParams params;
-  std::vector<aleisph::Role> role;
-  std::vector<double> normal, cosine, shape, contact, plane, N, K, share;
+  aleisph::Cloud cloud;
+  std::vector<double> contact, plane, N, K, share;
 
  private:
   void mark_dry();
   void outward();
 
-  int dim_, nsurface_;
-  PointSet cloud_;
-  aleisph::Stencil s_, wide_;
+  int nsurface_;
+  PointSet points_;
+  aleisph::WideStencil wide_;
   aleisph::Rows rows_, walls_;
+  std::vector<double> cosine_;
   std::vector<Eigen::Vector3d> directions_;    // of the walls, each once
 };
 

@@ -118,11 +118,16 @@ void set_particles(Cloud &cloud, const std::vector<Role> &role, const std::vecto
   cloud.roles_changed();
 }
 
+Cloud empty_cloud(const Kernel &kernel, double d)
+{
+  static Timers timers;    // nobody looks at them
+  return Cloud(kernel, d, timers);
+}
+
 Cloud make_cloud(const Kernel &kernel, double d, const PointSet &points,
                  const CloudOptions &options)
 {
-  static Timers timers;    // nobody looks at them
-  Cloud cloud(kernel, d, timers);
+  Cloud cloud = empty_cloud(kernel, d);
   cloud.reset(points.owned(), points.total());
   set_particles(cloud, options.role, options.normal);
   cloud.update(points.x(), points.list(), options.dry);

@@ -97,6 +97,7 @@ struct CloudOptions {
   std::vector<double> normal = {};
   bool dry = false;    // particles with role DRY are in no pair
 };
+aleisph::Cloud empty_cloud(const aleisph::Kernel &kernel, double d);
 aleisph::Cloud make_cloud(const aleisph::Kernel &kernel, double d, const PointSet &points,
                           const CloudOptions &options = CloudOptions());
 

@@ -140,16 +140,14 @@ Points lattice_ball(int dim, double R, double d)
 }
 
 Drop::Drop(int dim, double d, const Points &points, const Point &period) :
-    dim_(dim), owned_(static_cast<int>(points.size())), d_(d), volume_(std::pow(d, dim)),
-    points_(points), owner_(points.size())
+    dim_(dim), owned_(static_cast<int>(points.size())), d_(d), points_(points),
+    owner_(points.size()),
+    cloud_(empty_cloud(Kernel(KernelType::CUBIC_SPLINE, dim, SMOOTHING * d), d))
 {
   std::iota(owner_.begin(), owner_.end(), 0);
   add_ghosts(period);
-  role_.assign(points_.size(), FLUID);
-  N_.assign(3 * points_.size(), 0.0);
-  K_.assign(points_.size(), 0.0);
-  known_ = mean_ = K_;
-  detect(Neighbours(points_, owned_, REACH * d));
+  near_ = std::make_unique<Neighbours>(points_, owned_, REACH * d);
+  detect();
 }
 
 void Drop::add_ghosts(const Point &period)
@@ -166,65 +164,41 @@ void Drop::add_ghosts(const Point &period)
   }
 }
 
-void Drop::detect(const Neighbours &near)
+void Drop::detect()
 {
-  static Timers timers;    // nobody looks at them
-  Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, dim_, SMOOTHING * d_), d_, timers);
-  cloud.reset(owned_, static_cast<int>(points_.size()));
-  set_particles(cloud, role_, N_);
-  cloud.update(near.x(), near.list());
-  detect_surface(cloud, SurfaceParams());
-  std::copy_n(cloud.role(), cloud.size(), role_.begin());
-  std::copy_n(cloud.normal(), 3 * cloud.size(), N_.begin());
-  s_ = cloud.stencil();
-  g_ = cloud.gradient();
-  const Rows fluid = cloud.fluid();
-  for (size_t j = 0; j < role_.size(); j++) role_[j] = role_[owner_[j]];
-  surface_ = surface_rows(fluid, role_.data());
-  PairFilter filter;
-  filter.role = role_.data();
-  filter.rows = SURFACE;
-  wide_.build(wide_kernel(dim_, d_), owned_, near.x(), near.list(), filter);
+  cloud_.reset(owned_, static_cast<int>(points_.size()));
+  set_particles(cloud_, {});
+  cloud_.update(near_->x(), near_->list());
+  detect_surface(cloud_, SurfaceParams());
+  exchange(cloud_.role(), 1);
+  cloud_.roles_changed();
+  result_.rows = surface_rows(cloud_);
 }
 
-void Drop::exchange(std::vector<double> &field, int components) const
+void Drop::measure(TensionModel &model)
 {
-  for (size_t j = owned_; j < owner_.size(); j++)
-    for (int c = 0; c < components; c++)
-      field[components * j + c] = field[components * owner_[j] + c];
+  model.update({cloud_, near_->x(), near_->list(), nullptr,
+                [this](double *field, int n) { exchange(field, n); }});
+  result_ = model.result();
 }
 
 void Drop::tangent()
 {
-  std::fill(N_.begin(), N_.end(), 0.0);
-  wide_gradient(wide_, surface_, role_.data(), volume_, N_.data());
-  normalise(surface_, N_.data());
-  exchange(N_, 3);
-  count_ = tangent_curvature(s_, surface_, role_.data(), N_.data(), volume_, K_.data(),
-                             known_.data());
-  exchange(K_, 1);
-  exchange(known_, 1);
-  smooth_curvature(s_, surface_, role_.data(), N_.data(), K_.data(), known_.data(), d_,
-                   mean_.data(), count_);
+  TangentTension model(dim_, d_);
+  measure(model);
 }
 
 void Drop::published(double factor)
 {
-  std::vector<double> lambda(points_.size());
-  for (int i = 0; i < owned_; i++) lambda[i] = g_.lambda(i);
-  exchange(lambda, 1);
-  std::fill(N_.begin(), N_.end(), 0.0);
-  eigenvalue_gradient(s_, g_, surface_, lambda.data(), N_.data());
-  normalise(surface_, N_.data());
-  exchange(N_, 3);
-  count_ = published_curvature(s_, g_, surface_, role_.data(), N_.data(), factor, d_, mean_.data());
+  PublishedTension model(factor);
+  measure(model);
 }
 
 std::vector<double> Drop::values(const std::function<bool(const Point &)> &predicate) const
 {
   std::vector<double> list;
-  for (int i : surface_)
-    if (predicate(points_[i])) list.push_back(mean_[i]);
+  for (int i : result_.rows)
+    if (predicate(points_[i])) list.push_back(K(i));
   return list;
 }
 

@@ -12,6 +12,8 @@
 #include "aleisph_tension.h"
 #include "cloud.h"
 
+#include <memory>
+
 namespace aleisph_test {
 
 // As PointSet, but with cells: for the ten thousand particles of a ball
@@ -45,32 +47,36 @@ class Drop {
 
   void tangent();
   void published(double factor);
+  void measure(aleisph::TensionModel &model);
 
   int owned() const { return owned_; }
   const Point &point(int i) const { return points_[i]; }
-  const aleisph::Rows &surface() const { return surface_; }
-  const aleisph::CurvatureCount &count() const { return count_; }
-  double N(int i, int a) const { return N_[3 * i + a]; }
-  double K(int i) const { return mean_[i]; }    // as the model gives it
+  const aleisph::Rows &surface() const { return result_.rows; }
+  const aleisph::CurvatureCount &count() const { return result_.count; }
+  double N(int i, int a) const { return result_.N[3 * i + a]; }
+  double K(int i) const { return result_.K[i]; }    // as the model gives it
   // K of the particles on the surface for which the predicate holds
   std::vector<double> values(const std::function<bool(const Point &)> &predicate) const;
   std::vector<double> values() const;
 
  private:
   void add_ghosts(const Point &period);
-  void detect(const Neighbours &near);
-  void exchange(std::vector<double> &field, int components) const;
+  void detect();
+  // components doubles per particle
+  template <class T> void exchange(T *field, int components) const
+  {
+    for (size_t j = owned_; j < owner_.size(); j++)
+      for (int c = 0; c < components; c++)
+        field[components * j + c] = field[components * owner_[j] + c];
+  }
 
   int dim_, owned_;
-  double d_, volume_;
+  double d_;
   Points points_;
   std::vector<int> owner_;    // of each particle: itself, or that of a ghost
-  std::vector<aleisph::Role> role_;
-  aleisph::Stencil s_, wide_;
-  aleisph::GradientWeights g_;
-  aleisph::Rows surface_;
-  std::vector<double> N_, K_, known_, mean_;
-  aleisph::CurvatureCount count_;
+  std::unique_ptr<Neighbours> near_;
+  aleisph::Cloud cloud_;
+  aleisph::TensionResult result_;
 };
 
 struct Statistics {

@@ -199,18 +199,19 @@ TEST(ContactCurvatureTest, NormalsAreMixedByShare)
 TEST(ContactTipTest, IsBoundByFluidAndWall)
 {
   const Points points = {{0, 0.8 * D, 0}, {D, 0.9 * D, 0}, {0, 0, 0}, {D, 0, 0}, {3 * D, D, 0}};
-  const PointSet cloud(points, 5, 2.4 * D);
-  Stencil s;
-  s.build(Kernel(KernelType::CUBIC_SPLINE, 2, H), 5, cloud.x(), cloud.list());
-  const Role spray = FLUID | SURFACE | BALLISTIC;
-  std::vector<Role> role = {spray, FLUID | SURFACE, WALL, WALL, spray};
-  EXPECT_EQ(bind_tips(s, {0, 1, 4}, D, role.data()), 1);
-  EXPECT_EQ(role, (std::vector<Role>{FLUID | SURFACE, FLUID | SURFACE, WALL, WALL, spray}));
+  const PointSet set(points, 5, 2.4 * D);
+  const Role spray = FLUID | SURFACE | BALLISTIC, bound = FLUID | SURFACE;
+  Cloud cloud = make_cloud(Kernel(KernelType::CUBIC_SPLINE, 2, H), D, set,
+                           {{spray, bound, WALL, WALL, spray}});
+  EXPECT_EQ(bind_tips(cloud), 1);
+  const std::vector<Role> role(cloud.role(), cloud.role() + 5);
+  EXPECT_EQ(role, (std::vector<Role>{bound, bound, WALL, WALL, spray}));
   // without fluid, with a single wall particle
-  role = {spray, WALL, WALL, WALL, spray};
-  EXPECT_EQ(bind_tips(s, {0, 4}, D, role.data()), 0);
-  role = {spray, FLUID, WALL, FLUID, spray};
-  EXPECT_EQ(bind_tips(s, {0, 4}, D, role.data()), 0);
+  for (const auto &others : {std::vector<Role>{spray, WALL, WALL, WALL, spray},
+                             std::vector<Role>{spray, FLUID, WALL, FLUID, spray}}) {
+    Cloud alone = make_cloud(Kernel(KernelType::CUBIC_SPLINE, 2, H), D, set, {others});
+    EXPECT_EQ(bind_tips(alone), 0);
+  }
 }
 
 /* ----------------------------------------------------------------------
@@ -222,10 +223,8 @@ TEST(ContactNormalTest, HasTheAngleAndTheDirectionOfTheSurface)
   for (const int theta : ANGLES) {
     Contact c = column({1.0, 2.1}, theta);
     const double N[] = {-0.6, 0.8, 0.0};
-    for (const int i : c.rows()) std::copy(N, N + 3, &c.normal[3 * i]);
-    EXPECT_EQ(contact_normals(c.near(), c.rows(), c.role.data(), c.normal.data(), c.cosine.data(),
-                              D, c.params, c.contact.data()),
-              1);
+    for (const int i : c.rows()) std::copy(N, N + 3, c.cloud.normal() + 3 * i);
+    EXPECT_EQ(c.set_contact_normals(), 1);
     EXPECT_NEAR(c.contact[0], -std::sin(theta * DEGREE), ROUNDING);
     EXPECT_NEAR(c.contact[1], std::cos(theta * DEGREE), ROUNDING);
     EXPECT_EQ(c.contact[2], 0.0);
@@ -239,11 +238,9 @@ TEST(ContactNormalTest, SurfaceParallelToTheWallHasNone)
 {
   Contact c = column({1.0}, 60.0);
   for (const double slope : {10.0, 20.0}) {
-    c.normal[0] = std::sin(slope * DEGREE);
-    c.normal[1] = std::cos(slope * DEGREE);
-    EXPECT_EQ(contact_normals(c.near(), c.rows(), c.role.data(), c.normal.data(), c.cosine.data(),
-                              D, c.params, c.contact.data()),
-              slope > 15.0);
+    c.cloud.normal()[0] = std::sin(slope * DEGREE);
+    c.cloud.normal()[1] = std::cos(slope * DEGREE);
+    EXPECT_EQ(c.set_contact_normals(), slope > 15.0);
   }
 }
 
@@ -251,13 +248,11 @@ TEST(ContactNormalTest, SurfaceParallelToTheWallHasNone)
 TEST(ContactPlaneTest, IsThatOfTheNearestContactParticle)
 {
   Contact c = column({1.0}, 60.0);
-  c.normal[0] = 1.0;
-  contact_normals(c.near(), c.rows(), c.role.data(), c.normal.data(), c.cosine.data(), D, c.params,
-                  c.contact.data());
+  c.cloud.normal()[0] = 1.0;
+  c.set_contact_normals();
   const int first = c.walls().front();
-  c.role[first] &= ~DRY;
-  contact_planes(c.wide(), c.walls(), c.role.data(), c.normal.data(), c.contact.data(), D,
-                 c.plane.data());
+  c.cloud.role()[first] &= ~DRY;
+  c.set_planes();
   EXPECT_EQ(c.plane[2 * first], -COVERED);
   EXPECT_EQ(c.plane[2 * c.walls().back()], COVERED);
   int near = 0;
@@ -343,9 +338,7 @@ Contact tank_corner(int rows, bool floor, double theta, const Frame &frame)
         } else if (k <= rows)
           (k == rows ? points.surface : points.inner).push_back(p);
       }
-  Contact contact = in_frame(points, walls, theta, frame);
-  contact.params.reach = 1.9;    // not up to rounding that of the second row
-  return contact;
+  return in_frame(points, walls, theta, frame);
 }
 
 // A sphere that meets the walls y = 0 and x = R cos(theta) at theta, with its exact normals

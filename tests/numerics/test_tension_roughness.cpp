@@ -41,11 +41,10 @@ Field linear_field(const PointSet &cloud, int dim)
   return f;
 }
 
-std::vector<double> roughness(const Discrete &disc, const Kernel &kernel, const Rows &rows,
-                              const std::vector<Role> &role, const Field &f)
+std::vector<double> roughness(const Cloud &cloud, const Field &f)
 {
   std::vector<double> out(f.v.size(), NAN);
-  velocity_roughness(disc.s(), kernel, rows, role.data(), f.v.data(), f.grad.data(), out.data());
+  velocity_roughness(cloud, f.v.data(), f.grad.data(), out.data());
   return out;
 }
 
@@ -56,9 +55,7 @@ TEST(Roughness, LinearFieldsAreLeftAlone)
   for (int dim : {2, 3}) {
     const Kernel kernel(KernelType::CUBIC_SPLINE, dim, H);
     const PointSet cloud = block(dim, 2, 7);
-    const Discrete disc(kernel, D, cloud);
-    const std::vector<Role> role(cloud.total(), FLUID);
-    const auto out = roughness(disc, kernel, cloud.rows(), role, linear_field(cloud, dim));
+    const auto out = roughness(make_cloud(kernel, D, cloud), linear_field(cloud, dim));
     for (int i : cloud.rows())
       for (int a = 0; a < dim; a++) EXPECT_NEAR(out[3 * i + a], 0.0, ROUNDING);
   }
@@ -74,13 +71,11 @@ TEST(Roughness, TakesAwayWhatMovesAlone)
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, H);
   const Points points = lattice(2, 6, D);
   const PointSet cloud(points, static_cast<int>(points.size()), 2.4 * D);
-  const Discrete disc(kernel, D, cloud);
-  const std::vector<Role> role(cloud.total(), FLUID);
   Field f;
   f.v.assign(3 * cloud.total(), 0.0);
   f.grad.assign(9 * cloud.total(), 0.0);
   f.v[0] = 1.5;
-  const auto out = roughness(disc, kernel, cloud.rows(), role, f);
+  const auto out = roughness(make_cloud(kernel, D, cloud), f);
   EXPECT_NEAR(out[0], -1.5, ROUNDING);
   EXPECT_NEAR(out[1], 0.0, ROUNDING);
   const auto w = [](double r) { return 1.0 - r / 2.4; };
@@ -95,16 +90,21 @@ TEST(Roughness, KeepsToTheBoundFluid)
   const Kernel kernel(KernelType::CUBIC_SPLINE, 2, H);
   const Points points = {{0.0, 0.0, 0.0}, {D, 0.0, 0.0}, {0.0, D, 0.0}};
   const PointSet cloud(points, 3, 2.4 * D);
-  const Discrete disc(kernel, D, cloud);
   Field f;
   f.v = {1.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   f.grad.assign(27, 0.0);
-  const Rows rows = {0};
   for (Role other : {FLUID, WALL, FLUID | BUFFER, FLUID | SURFACE | BALLISTIC}) {
-    const std::vector<Role> role = {FLUID, other, WALL};
-    const auto out = roughness(disc, kernel, rows, role, f);
+    const auto out = roughness(make_cloud(kernel, D, cloud, {{FLUID, other, WALL}}), f);
     EXPECT_NEAR(out[0], other == FLUID ? 2.0 : 0.0, ROUNDING) << other;
   }
-  const std::vector<Role> flying = {FLUID | SURFACE | BALLISTIC, FLUID, FLUID};
-  EXPECT_EQ(roughness(disc, kernel, rows, flying, f)[0], 0.0);
+  const Role flying = FLUID | SURFACE | BALLISTIC;
+  EXPECT_EQ(roughness(make_cloud(kernel, D, cloud, {{flying, FLUID, FLUID}}), f)[0], 0.0);
+}
+
+// filter sqrt(sigma/(rho d^3)), which no time step takes more than once
+TEST(Roughness, RateIsBoundedByTheTimeStep)
+{
+  EXPECT_DOUBLE_EQ(roughness_rate(0.5, 8.0, 2.0, 0.25, 1.0e-3), 8.0);
+  EXPECT_DOUBLE_EQ(roughness_rate(0.5, 8.0, 2.0, 0.25, 0.25), 4.0);
+  EXPECT_EQ(roughness_rate(0.5, 0.0, 2.0, 0.25, 0.25), 0.0);
 }
