@@ -36,30 +36,15 @@ constexpr char WALL_VELOCITY_FIX[] = "ALEISPH_VW";
 constexpr char WALL_VELOCITY[] = "aleisph_vw";
 constexpr char WALL_SHAPE_FIX[] = "ALEISPH_N";
 constexpr char WALL_SHAPE[] = "aleisph_n";
-// masses are typed or printed with seven digits at least
-constexpr double MASS_TOLERANCE = 1.0e-6;
-
-// position of a style in the order that a script must follow, -1 if not one of ours
-int rank_in_script(const std::string &style)
-{
-  static const std::pair<const char *, int> order[] = {
-      {"aleisph", 0},         {"aleisph/wall", 1},    {"aleisph/pressure", 1},
-      {"aleisph/surface", 2}, {"aleisph/tension", 3}, {"aleisph/predictor", 4},
-      {"aleisph/ppe", 5},     {"aleisph/shift", 6},   {"aleisph/guard", 7},
-      {"aleisph/dt", 8}};
-  for (const auto &entry : order)
-    if (style == entry.first) return entry.second;
-  return -1;
-}
 
 }    // namespace
 
 /* ---------------------------------------------------------------------- */
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2}, spacing_(0.0),
-    list_(nullptr), reach_(0.0), pressure_valid_(false), walls_located_(false), ndry_(0),
-    own_cutoff_(0.0), halo_plan_(nullptr)
+    Fix(lmp, narg, arg), checks_(lmp, *this), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2},
+    spacing_(0.0), list_(nullptr), reach_(0.0), pressure_valid_(false), walls_located_(false),
+    ndry_(0), own_cutoff_(0.0), halo_plan_(nullptr)
 {
   parse(narg, arg);
 
@@ -222,9 +207,7 @@ void FixAleisph::init()
   cloud_->set_floor(0.0);
   walls_located_ = false;
 
-  check_integrator();
-  check_companions();
-  check_fix_order();
+  checks_.script();
   reach_ = 0.0;
   require_reach(cloud_->kernel().support());
   neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(cloud_->kernel().support());
@@ -235,54 +218,6 @@ void FixAleisph::init()
 void FixAleisph::init_list(int, NeighList *list)
 {
   list_ = list;
-}
-
-void FixAleisph::check_integrator() const
-{
-  if (update->whichflag == 2)
-    error->all(FLERR, "Fix aleisph cannot be used with minimize; unfix it first");
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "Fix aleisph cannot be used with run_style respa; use run_style verlet");
-  const std::string units = update->unit_style;
-  if (units == "real" || units == "metal" || units == "electron")
-    error->all(FLERR, "Fix aleisph cannot be used with units {}; use lj, si, cgs, micro or nano",
-               units);
-  if (!(update->dt > 0.0) || !std::isfinite(update->dt))
-    error->all(FLERR, "Fix aleisph: timestep must be positive, it is {}", update->dt);
-  if (neighbor->nex_type + neighbor->nex_group + neighbor->nex_mol > 0)
-    error->all(FLERR,
-               "Fix aleisph cannot be used with neigh_modify exclude: particles would miss "
-               "neighbors; remove the exclusion");
-  if (comm->mode != Comm::SINGLE) error->all(FLERR, "Fix aleisph needs comm_modify mode single");
-  if (!atom->tag_enable) error->all(FLERR, "Fix aleisph needs atom IDs");
-}
-
-void FixAleisph::check_companions() const
-{
-  if (group->count(igroup) == 0)
-    error->all(FLERR, "Fix aleisph: group {} is empty", group->names[igroup]);
-  for (const char *other : {"aleisph/predictor", "aleisph/ppe"})
-    if (modify->get_fix_by_style(fmt::format("^{}$", other)).empty())
-      error->all(FLERR, "Fix aleisph needs a fix {}", other);
-}
-
-void FixAleisph::check_fix_order() const
-{
-  const Fix *last = nullptr;
-  const Fix *predictor = nullptr;
-  for (const Fix *fix : modify->get_fix_list()) {
-    // forces must be complete when the predictor reads them during setup
-    if (predictor && (modify->fmask[modify->find_fix(fix->id)] & POST_FORCE))
-      error->all(FLERR, "Fix {} ({}) changes forces and must be defined before fix {} ({})",
-                 fix->id, fix->style, predictor->id, predictor->style);
-    const int rank = rank_in_script(fix->style);
-    if (rank < 0) continue;
-    if (last && rank < rank_in_script(last->style))
-      error->all(FLERR, "Fix {} ({}) must be defined before fix {} ({})", fix->id, fix->style,
-                 last->id, last->style);
-    last = fix;
-    if (strcmp(fix->style, "aleisph/predictor") == 0) predictor = fix;
-  }
 }
 
 void FixAleisph::require_reach(double reach)
@@ -303,7 +238,7 @@ void FixAleisph::require_reach(double reach)
 
 void FixAleisph::setup_pre_force(int)
 {
-  check_atoms();
+  checks_.atoms();
   build_halo();
   rebuild();
 }
@@ -336,11 +271,13 @@ void FixAleisph::rebuild()
   vstar_.assign(3 * n, 0.0);
   row_types_.clear();
   restore_walls();
-  long long found[4] = {0, 0, 0, walls_changed()};
-  wrong_roles(found);
-  ranks_->largest(4, found);
-  refuse_roles(found);
-  locate_walls(found[3]);
+  constexpr int FAULTS = AleisphChecks::ROLE_FAULTS;
+  long long found[FAULTS + 1] = {};
+  checks_.find_wrong_roles(found);
+  found[FAULTS] = walls_changed();
+  ranks_->largest(FAULTS + 1, found);
+  checks_.refuse_roles(found);
+  locate_walls(found[FAULTS]);
   mark_dry_walls();
   cloud_->update(atom->x, candidates(), scene_.dry_rule());
   if (const long coincident = ranks_->sum(cloud_->stencil().coincident()))
@@ -372,55 +309,6 @@ void FixAleisph::assign_roles()
   for (const auto &group : scene_.roles())
     for (int i = 0; i < n; i++)
       if (mask[i] & group.groupbit) role[i] |= group.role;
-}
-
-// the ID of an atom of this rank, if there is one, for each of three faults
-void FixAleisph::wrong_roles(long long *atoms) const
-{
-  const int *mask = atom->mask;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const Role r = cloud_->role()[i];
-    if (!(mask[i] & groupbit) || !(r & (aleisph::FLUID | aleisph::WALL))) atoms[0] = atom->tag[i];
-    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) atoms[1] = atom->tag[i];
-    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) atoms[2] = atom->tag[i];
-  }
-}
-
-void FixAleisph::refuse_roles(const long long *atoms) const
-{
-  if (atoms[0])
-    error->all(FLERR,
-               "Fix aleisph: atom {} is neither fluid (group of fix aleisph/predictor) nor wall "
-               "(group of fix aleisph/wall), or not in group {}",
-               atoms[0], group->names[igroup]);
-  if (atoms[1]) error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", atoms[1]);
-  if (atoms[2])
-    error->all(FLERR, "Fix aleisph: buffer atom {} is not in the group of its fix aleisph/pressure",
-               atoms[2]);
-}
-
-void FixAleisph::check_atoms()
-{
-  tagint nan = 0, plane = 0, heavy = 0;
-  const double m = particle_mass();
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *const x = atom->x[i], *const v = atom->v[i];
-    for (int a = 0; a < 3; a++)
-      if (!std::isfinite(x[a]) || !std::isfinite(v[a])) nan = atom->tag[i];
-    if (domain->dimension == 2 && v[2] != 0.0) plane = atom->tag[i];
-    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-    if (std::fabs(mass - m) > MASS_TOLERANCE * m) heavy = atom->tag[i];
-  }
-  if ((nan = ranks_->largest(nan)))
-    error->all(FLERR, "Fix aleisph: position or velocity of atom {} is not finite", nan);
-  if ((plane = ranks_->largest(plane)))
-    error->all(FLERR,
-               "Fix aleisph: atom {} has a velocity in z in a 2d simulation; use velocity set or "
-               "fix enforce2d",
-               plane);
-  if ((heavy = ranks_->largest(heavy)))
-    error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}", heavy,
-               domain->dimension, m);
 }
 
 /* ---------------------------------------------------------------------- */

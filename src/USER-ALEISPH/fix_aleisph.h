@@ -19,6 +19,7 @@ FixStyle(aleisph,FixAleisph);
 
 #include "aleisph_cloud.h"
 #include "aleisph_fluid.h"
+#include "aleisph_halo_checks.h"
 #include "aleisph_krylov.h"
 #include "aleisph_mpi_ranks.h"
 #include "aleisph_ppe.h"
@@ -110,14 +111,7 @@ class FixAleisph : public Fix {
 
   void parse(int narg, char **arg);
   void read_fluid_file(const char *filename);
-  void check_integrator() const;
-  void check_companions() const;
-  void check_fix_order() const;
-  void check_masses() const;
-  void check_atoms();
   void assign_roles();
-  void wrong_roles(long long *atoms) const;
-  void refuse_roles(const long long *atoms) const;
   bool positions_changed();
   aleisph::CandidateList candidates() const;
   void rebuild();
@@ -130,6 +124,7 @@ class FixAleisph : public Fix {
   void report_timing();
   std::string report_traffic() const;
 
+  AleisphChecks checks_;
   Params params_;
   double spacing_;
   aleisph::FluidProperties fluid_;
