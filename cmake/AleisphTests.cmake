@@ -10,7 +10,8 @@
 #   ALEISPH_LMP             the program lmp; LAMMPS_PLUGIN_PATH is set, so that it knows the styles
 #   ALEISPH_MPIEXEC         the MPI starter (mpirun)
 #   LAMMPS_SOURCE_DIR, LAMMPS_BUILD_DIR, LAMMPS_POTENTIALS
-#   PYTHONPATH              tools/ and tests/support/ of this tree
+#   PYTHONPATH              tools/ and tests/support/ of this tree, and LAMMPS' own Python module
+#   LD_LIBRARY_PATH         has liblammps.so for that module
 
 include(GoogleTest)
 find_package(GTest REQUIRED)
@@ -32,13 +33,20 @@ set(ALEISPH_TEST_ENVIRONMENT
   OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
   ALEISPH_SOURCE_DIR=${PROJECT_SOURCE_DIR}
   LAMMPS_POTENTIALS=${PROJECT_SOURCE_DIR}/potentials
-  PYTHONPATH=${PROJECT_SOURCE_DIR}/tools:${PROJECT_SOURCE_DIR}/tests/support
   PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg)
+set(python_path ${PROJECT_SOURCE_DIR}/tools:${PROJECT_SOURCE_DIR}/tests/support)
 if(ALEISPH_WITH_LAMMPS)
+  string(APPEND python_path :${LAMMPS_SOURCE_DIR}/python)
+  set(library_path ${LAMMPS_BUILD_DIR})
+  if(NOT "$ENV{LD_LIBRARY_PATH}" STREQUAL "")
+    string(APPEND library_path :$ENV{LD_LIBRARY_PATH})
+  endif()
   list(APPEND ALEISPH_TEST_ENVIRONMENT
     ALEISPH_MPIEXEC=${MPIEXEC_EXECUTABLE} ALEISPH_LMP=${LAMMPS_EXECUTABLE}
-    LAMMPS_SOURCE_DIR=${LAMMPS_SOURCE_DIR} LAMMPS_BUILD_DIR=${LAMMPS_BUILD_DIR})
+    LAMMPS_SOURCE_DIR=${LAMMPS_SOURCE_DIR} LAMMPS_BUILD_DIR=${LAMMPS_BUILD_DIR}
+    LD_LIBRARY_PATH=${library_path})
 endif()
+list(APPEND ALEISPH_TEST_ENVIRONMENT PYTHONPATH=${python_path})
 
 # ctest reads this file when it starts and hands its environment on (as a property of the tests
 # found by gtest_discover_tests, a list of variables does not survive). GoogleTest programs register

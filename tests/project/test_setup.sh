@@ -126,6 +126,22 @@ check "a lock makes the second caller wait and say so" "yes 1" \
   "$([ $((($(date +%s%N) - began) / 1000000)) -gt 300 ] && echo yes) $(grep -c waiting "$work/waiting")"
 wait
 
+# a source tree that an older version of the set-up unpacked lacks what was added to the list
+mkdir -p "$work/archive/lammps-1/src" "$work/archive/lammps-1/python/lammps"
+for part in "${LAMMPS_PARTS[@]}"; do mkdir -p "$work/archive/lammps-1/$part"; done
+touch "$work/archive/lammps-1/python/lammps/core.py" "$work/archive/lammps-1/src/lammps.h"
+tar -C "$work/archive" -czf "$work/lammps.tar.gz" lammps-1
+LAMMPS_SOURCE_DIR=$work/cached
+mkdir -p "$LAMMPS_SOURCE_DIR/src"
+echo built >"$LAMMPS_SOURCE_DIR/src/lammps.h"
+ALEISPH_LAMMPS_TARBALL=$work/lammps.tar.gz fetch_lammps 20250204
+check "a cached source tree gets what it lacks, and no more" "core.py built" \
+  "$(ls "$LAMMPS_SOURCE_DIR/python/lammps") $(cat "$LAMMPS_SOURCE_DIR/src/lammps.h")"
+ALEISPH_LAMMPS_TARBALL=/no/such/file fetch_lammps 20250204
+LAMMPS_SOURCE_DIR=$work/fresh
+ALEISPH_LAMMPS_TARBALL=$work/lammps.tar.gz fetch_lammps 20250204
+check "an empty cache gets all of it" "yes" "$(lammps_is_whole && echo yes)"
+
 tree=$work/lammps
 mkdir -p "$tree/src" "$tree/cmake"
 touch "$tree/src/lammps.h"

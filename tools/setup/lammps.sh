@@ -163,27 +163,45 @@ ALEISPH_LAMMPS_TARBALL to its archive, then run this again" \
   printf '%s\n' "$dir/$tag.tar.gz"
 }
 
-# Only what a build, its users and the comparisons read: a fifth of the archive. Some archives have one
-# directory on top, lammps-..., some have none.
-unpack_lammps() {
+# Only what a build, its users and the comparisons read: a fifth of the archive
+LAMMPS_PARTS=(src cmake lib python tools/python LICENSE README examples/rheo)
+
+# unpack_parts ARCHIVE DEST PART...: those that DEST lacks. Some archives have one directory on top,
+# lammps-..., some have none.
+unpack_parts() {
   local archive=$1 dest=$2 first top='' part members=()
+  shift 2
   first=$(tar -tf "$archive" 2>/dev/null | head -n 1) || true
   case $first in lammps*/*) top=${first%%/*}/ ;; esac
-  for part in src cmake lib python tools/python LICENSE README examples/rheo; do members+=("$top$part"); done
+  for part in "$@"; do [ -e "$dest/$part" ] || members+=("$top$part"); done
+  [ "${#members[@]}" -gt 0 ] || return 0
+  tar -x -f "$archive" -C "$dest" ${top:+--strip-components=1} "${members[@]}"
+}
+
+unpack_lammps() {
+  local archive=$1 dest=$2
   rm -rf "$dest.part" &&
     mkdir -p "$dest.part" &&
-    tar -x -f "$archive" -C "$dest.part" ${top:+--strip-components=1} "${members[@]}" &&
+    unpack_parts "$archive" "$dest.part" "${LAMMPS_PARTS[@]}" &&
     mv "$dest.part" "$dest"
+}
+
+# Whether nothing is missing that an older version of this script did not unpack
+lammps_is_whole() {
+  local part
+  for part in "${LAMMPS_PARTS[@]}"; do [ -e "$LAMMPS_SOURCE_DIR/$part" ] || return 1; done
 }
 
 # fetch_lammps VERSION: fills LAMMPS_SOURCE_DIR
 fetch_lammps() {
-  local version=$1 archive
-  [ ! -d "$LAMMPS_SOURCE_DIR" ] || return 0
+  local version=$1 archive unpack=(unpack_lammps)
+  ! lammps_is_whole || return 0
   archive=${ALEISPH_LAMMPS_TARBALL:-}
   [ -n "$archive" ] || archive=$(download_lammps "$version") || exit 1
+  [ ! -d "$LAMMPS_SOURCE_DIR" ] || unpack=(unpack_parts)
   run_step "unpacking $(basename "$archive")" "$ALEISPH_CACHE/log/unpack.log" \
-    "remove $archive and run this again" unpack_lammps "$archive" "$LAMMPS_SOURCE_DIR"
+    "remove $archive and run this again" \
+    "${unpack[@]}" "$archive" "$LAMMPS_SOURCE_DIR" "${LAMMPS_PARTS[@]}"
 }
 
 # What a build depends on, as one short word
@@ -204,7 +222,7 @@ configure_and_build_lammps() {
       "remove $LAMMPS_BUILD_DIR and run this again; the log names what cmake did not find" \
       cmake -G Ninja -S "$LAMMPS_SOURCE_DIR/cmake" -B "$LAMMPS_BUILD_DIR" "${LAMMPS_CMAKE_FLAGS[@]}"
   fi
-  run_step "building LAMMPS (about 10 minutes of one core, once)" "$log-build.log" \
+  run_step "building LAMMPS (about 8 minutes of one core, once)" "$log-build.log" \
     "run this again: it goes on where it stopped. If the compiler was killed, memory was short: \
 set ALEISPH_JOBS=1" \
     cmake --build "$LAMMPS_BUILD_DIR" -j "$ALEISPH_JOBS"

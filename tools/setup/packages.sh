@@ -4,7 +4,7 @@
 
 PACKAGES_BUILD=(cmake ninja-build g++ libopenmpi-dev openmpi-bin libeigen3-dev libhypre-dev libgtest-dev
   libpng-dev libjpeg62-turbo-dev zlib1g-dev
-  python3 python3-numpy python3-matplotlib libopenblas-dev liblapack-dev xz-utils)
+  python3 python3-numpy python3-matplotlib python3-yaml libopenblas-dev liblapack-dev xz-utils)
 # makes a second build of LAMMPS (the in-tree test) cheap; nothing depends on it
 PACKAGES_EXTRA=(ccache)
 
