@@ -37,7 +37,7 @@ def measure(scene, nominal, folder, ranks):
     variables = {**scene.variables(nominal), "tol": TOLERANCE}
     text = common.run_lammps(path, variables, Path(folder), ranks)
     parts, atoms, count = timing.by_part(text)
-    share = common.cpu_share(text[text.rindex("ALEISPH time:"):])  # of what is measured
+    share = common.cpu_share(timing.last_run(text))  # of what is measured
     parts = {part: share * value for part, value in parts.items()}
     row = {"case": scene.case, "dimension": scene.dimension, "N": atoms, "steps": count,
            "ranks": ranks, **parts, "cpu share": share}

@@ -8,11 +8,12 @@ import unittest.mock
 import pressure
 
 LOG = """
-ALEISPH time: 0.5 s, 100 us per particle-step and rank
-  preconditioner      0.1 s   20.0 %
-  solve               0.4 s   80.0 %
 Loop time of 1e-6 on 1 procs for 0 steps with 50 atoms
 PRESSURE iterations=12 residual={residual} restarts=0 solves=1 failed={failed} fluid=40
+
+ALEISPH time: 0.5 s for 0 steps to step 0, 100 us per particle-step and rank
+  preconditioner      0.1 s   20.0 %
+  solve               0.4 s   80.0 %
 """
 
 

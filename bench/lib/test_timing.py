@@ -6,20 +6,25 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import common
 import timing
 
 LOG = """
-ALEISPH time: 9 s, 9 us per particle-step and rank
+Loop time of 9 on 1 procs for 9 steps with 50 atoms
+50.0% CPU use with 1 MPI tasks
+
+ALEISPH time: 9 s for 9 steps to step 9, 9 us per particle-step and rank
   stencil                 9 s  100.0 %
 ALEISPH builds: stencil 1, gradient 1
-Loop time of 9 on 1 procs for 9 steps with 50 atoms
+Loop time of 0.75 on 2 procs for 100 steps with 50 atoms
+80.0% CPU use with 2 MPI tasks
 
-ALEISPH time: 0.5 s, 100 us per particle-step and rank
+ALEISPH time: 0.5 s for 100 steps to step 109, 100 us per particle-step and rank
   stencil            0.1250 s   25.0 %
 ALEISPH communication per step: 12 messages, 3.4 kB
   solve               0.375 s   75.0 % (waiting 0.1 s)
 ALEISPH builds: stencil 1, gradient 1
-Loop time of 0.75 on 2 procs for 100 steps with 50 atoms
+Total wall time: 0:00:10
 """
 
 
@@ -34,7 +39,10 @@ class Timing(unittest.TestCase):
 
     def test_a_log_without_parts_is_an_error(self):
         with self.assertRaises(RuntimeError):
-            timing.by_part("ALEISPH time: 1 s\nLoop time of 1 on 1 procs for 1 steps with 1 atoms")
+            timing.by_part("Loop time of 1 on 1 procs for 1 steps with 1 atoms\nALEISPH time: 1 s")
+
+    def test_share_of_the_core_is_that_of_the_last_run(self):
+        self.assertAlmostEqual(common.cpu_share(timing.last_run(LOG)), 0.8)
 
     def test_peak_memory_of_the_program(self):
         with tempfile.TemporaryDirectory() as name:

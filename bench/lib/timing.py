@@ -21,14 +21,19 @@ def last_block(text):
 
     Lines that are no part, such as counts, may stand between and behind the parts.
     """
-    start = text.rfind("ALEISPH time:")
-    block = text[max(0, start):]
-    loop = LOOP.search(block)
-    lines = block[:loop.start()].splitlines() if loop else []
-    seconds = {m[1]: float(m[2]) for m in map(PART.match, lines) if m}
-    if start < 0 or not seconds:
-        raise RuntimeError("the log has no 'ALEISPH time' with its parts and no 'Loop time'")
+    before, _, report = text.rpartition("ALEISPH time:")
+    loops = list(LOOP.finditer(before))
+    seconds = {m[1]: float(m[2]) for m in map(PART.match, report.splitlines()) if m}
+    if not loops or not seconds:
+        raise RuntimeError("the log has no 'Loop time' before an 'ALEISPH time' with its parts")
+    loop = loops[-1]
     return seconds, float(loop[1]), int(loop[2]), int(loop[3])
+
+
+def last_run(text):
+    """What a log says of the last run that has a report: "Loop time" and what follows it."""
+    end = text.rindex("ALEISPH time:")
+    return text[text.rindex("Loop time of", 0, end):end]
 
 
 def by_part(text):

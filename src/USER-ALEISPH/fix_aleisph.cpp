@@ -62,6 +62,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 
 FixAleisph::~FixAleisph()
 {
+  print_report();
   if (!modify) return;
   for (const char *id : {PRESSURE_FIX, WALL_VELOCITY_FIX, WALL_SHAPE_FIX})
     if (modify->get_fix_by_id(id)) modify->delete_fix(id);
@@ -202,6 +203,7 @@ double *FixAleisph::velocity()
 
 void FixAleisph::init()
 {
+  print_report();    // of the run before
   FixAleisph::find(lmp, "Fix aleisph");
   scene_.clear();
   cloud_->set_floor(0.0);
@@ -211,8 +213,7 @@ void FixAleisph::init()
   reach_ = 0.0;
   require_reach(cloud_->kernel().support());
   neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(cloud_->kernel().support());
-  timers_.reset();
-  ranks_->traffic() = aleisph::Traffic();
+  begin_report();
 }
 
 void FixAleisph::init_list(int, NeighList *list)
@@ -364,50 +365,6 @@ double FixAleisph::compute_vector(int n)
       return static_cast<double>(ranks_->sum(cloud.stencil().pairs())) /
           std::max(1L, ranks_->sum(atom->nlocal));
   }
-}
-
-void FixAleisph::post_run()
-{
-  report_timing();
-  timers_.reset();    // run ... pre no does not come through init()
-  ranks_->traffic() = aleisph::Traffic();
-}
-
-void FixAleisph::report_timing()
-{
-  double seconds[aleisph::NUM_PARTS];
-  double total = 0.0;
-  for (int k = 1; k < aleisph::NUM_PARTS; k++) {
-    seconds[k] = timers_.seconds(static_cast<Part>(k)) / comm->nprocs;
-  }
-  MPI_Allreduce(MPI_IN_PLACE, seconds + 1, aleisph::NUM_PARTS - 1, MPI_DOUBLE, MPI_SUM, world);
-  for (int k = 1; k < aleisph::NUM_PARTS; k++) total += seconds[k];
-
-  const double steps = static_cast<double>(std::max<bigint>(1, update->nsteps));
-  const double particle_steps = steps * std::max<bigint>(1, atom->natoms) / comm->nprocs;
-  std::string text = fmt::format("\nALEISPH time: {:.4g} s, {:.4g} us per particle-step and rank\n",
-                                 total, 1.0e6 * total / particle_steps);
-  for (int k = 1; k < aleisph::NUM_PARTS; k++)
-    if (seconds[k] > 0.0)
-      text += fmt::format("  {:<15}{:>10.4g} s {:>6.1f} %\n", to_string(static_cast<Part>(k)),
-                          seconds[k], total > 0.0 ? 100.0 * seconds[k] / total : 0.0);
-  const auto &counts = cloud_->counts();
-  text += fmt::format("ALEISPH builds: stencil {}, gradient {}, Laplacian {}, PPE matrix {}, "
-                      "preconditioner {}, viscous matrix {}, viscous passes {}, wall passes {}\n",
-                      counts.stencil, counts.gradient, counts.laplacian, tally_.ppe_builds,
-                      tally_.precond_builds, tally_.viscous_builds, tally_.viscous_passes,
-                      tally_.wall_passes);
-  text += report_traffic();
-  const long morris = counts.laplacian
-      ? ranks_->sum(cloud_->laplacian_rows().morris_count().total())
-      : 0;
-  const long singular = ranks_->sum(tally_.singular_rows),
-             pivots = ranks_->sum(tally_.replaced_pivots);
-  if (morris || singular || pivots)
-    text += fmt::format("ALEISPH guards in the last step: {} rows of Morris, {} singular rows, {} "
-                        "replaced pivots\n",
-                        morris, singular, pivots);
-  if (comm->me == 0) utils::logmesg(lmp, text);
 }
 
 double FixAleisph::memory_usage()

@@ -40,6 +40,13 @@ struct AleisphTally {
   int replaced_pivots = 0;    // of this rank, last preconditioner
 };
 
+// The report after a run: whether there is one, and what is not printed yet
+struct AleisphReport {
+  bool wanted = true;    // fix_modify report
+  bool post = true;      // keyword of the last command run
+  std::string text;
+};
+
 class FixAleisph : public Fix {
  public:
   FixAleisph(class LAMMPS *, int, char **);
@@ -51,6 +58,7 @@ class FixAleisph : public Fix {
   void setup_pre_force(int) override;
   void pre_force(int) override;
   void post_run() override;
+  int modify_param(int, char **) override;
   double compute_vector(int) override;
   double memory_usage() override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
@@ -121,8 +129,12 @@ class FixAleisph : public Fix {
   bool walls_changed();
   void find_normals();
   void mark_dry_walls();
-  void report_timing();
-  std::string report_traffic() const;
+  void begin_report();
+  void print_report();
+  std::string time_report() const;
+  std::string build_report() const;
+  std::string traffic_report() const;
+  std::string guard_report() const;
 
   AleisphChecks checks_;
   Params params_;
@@ -142,6 +154,7 @@ class FixAleisph : public Fix {
   std::vector<double> vstar_, x_built_;
   std::vector<aleisph::RowType> row_types_;
   AleisphTally tally_;
+  AleisphReport report_;
 
   double *halo_plan_;    // two doubles per particle, while the halo exchange is planned
 };

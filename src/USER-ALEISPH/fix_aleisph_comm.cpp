@@ -3,18 +3,15 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   The owner's part about other ranks: the plan of the halo exchange, and the
-   report of how much was exchanged.
+   The owner's part about other ranks: the plan of the halo exchange.
 ------------------------------------------------------------------------- */
 
 #include "fix_aleisph.h"
 
 #include "atom.h"
 #include "comm.h"
-#include "update.h"
 
 #include <algorithm>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -54,14 +51,4 @@ int FixAleisph::pack_forward_comm(int n, int *list, double *buf, int, int *)
 void FixAleisph::unpack_forward_comm(int n, int first, double *buf)
 {
   std::copy_n(buf, 2 * n, halo_plan_ + 2 * first);
-}
-
-std::string FixAleisph::report_traffic() const
-{
-  const aleisph::Traffic mean = ranks_->mean_traffic();
-  const double steps = static_cast<double>(std::max<bigint>(1, update->nsteps));
-  return fmt::format("ALEISPH communication per step: {:.4g} reductions, {:.4g} halo exchanges, "
-                     "{:.4g} messages, {:.4g} bytes per rank\n",
-                     mean.reductions / steps, mean.exchanges / steps, mean.messages / steps,
-                     mean.bytes / steps);
 }

@@ -26,8 +26,9 @@ std::vector<double> each(double n)
 }
 
 // the number before a comma behind `what` in the last report of builds
-int reported(const Simulation &sim, const std::string &what)
+int reported(Simulation &sim, const std::string &what)
 {
+  sim.run("fix_modify sph report now");
   const std::string log = sim.log();
   const auto line = log.rfind("ALEISPH builds:");
   if (line == std::string::npos) return -1;

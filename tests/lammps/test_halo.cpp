@@ -189,8 +189,9 @@ TEST(Halo, AgreesWithLammps)
 namespace {
 
 // the numbers of the line "ALEISPH communication per step: ..." of the last report
-std::vector<double> traffic(const Simulation &sim)
+std::vector<double> traffic(Simulation &sim)
 {
+  sim.run("fix_modify sph report now");
   const std::string log = sim.log(), head = "ALEISPH communication per step: ";
   const auto line = log.rfind(head);
   if (line == std::string::npos) return {};
