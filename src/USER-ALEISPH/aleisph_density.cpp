@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Numerical density of the shifting, Morikawa, Tsuji & Asai eq 20, over the
+   Numerical density of the shifting, Morikawa, Tsuji & Asai eq 19, over the
    nearest neighbours or over the full support.
 ------------------------------------------------------------------------- */
 

@@ -101,7 +101,7 @@ double ComputeAleisphAtom::surface_kind(int i) const
   return role & aleisph::SURFACE ? 1.0 : 0.0;
 }
 
-// numerical density over the nearest neighbours (Morikawa, Tsuji & Asai, eq 20) relative to rho0;
+// numerical density over the nearest neighbours (Morikawa, Tsuji & Asai, eq 19) relative to rho0;
 // zero on particles that are not fluid
 std::vector<double> ComputeAleisphAtom::density() const
 {
