@@ -156,7 +156,7 @@ TEST(Density, TheImagesReplaceTheMissingRow)
   }
 }
 
-// eq 20 as printed: the surface lacks the 3 of 8 neighbours above it in 2d, 9 of 26 in 3d, and is
+// eq 19 as printed: the surface lacks the 3 of 8 neighbours above it in 2d, 9 of 26 in 3d, and is
 // measured with 1; the second row has all its S*
 TEST(Density, PublishedDeviationAtAFlatSurface)
 {
