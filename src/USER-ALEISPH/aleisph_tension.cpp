@@ -43,6 +43,20 @@ double CurvatureCount::limit(double K, double bound)
   return std::copysign(bound, K);
 }
 
+double TensionResult::total_curvature() const
+{
+  double total = 0.0;
+  for (const int i : rows) total += K[i];
+  return total;
+}
+
+double TensionResult::largest_curvature() const
+{
+  double largest = 0.0;
+  for (const int i : rows) largest = std::max(largest, std::abs(K[i]));
+  return largest;
+}
+
 Rows surface_rows(const Cloud &cloud)
 {
   const Rows &fluid = cloud.fluid();

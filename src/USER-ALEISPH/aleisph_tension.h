@@ -55,6 +55,9 @@ struct TensionResult {
   CurvatureCount count;
   int contacts = 0;      // contact particles
   int undirected = 0;    // rows without a direction: N = 0
+
+  double total_curvature() const;      // sum of K
+  double largest_curvature() const;    // of |K|; 0 without rows
 };
 
 class TensionModel {

@@ -9,8 +9,7 @@
    inside, since lap grad phi = 0, but what alternates between neighbours is
    damped. Surface tension with little viscosity feeds such noise at the
    surface. It does not conserve momentum exactly.
-   v: owned and ghost; grad_v[9*i+3*a+b] = d v_a/d x_b of the fluid rows, on
-   which out (3 per particle) is written.
+   v: owned and ghost; grad_v[9*i+3*a+b] = d v_a/d x_b of the fluid rows.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_TENSION_ROUGHNESS_H
@@ -24,7 +23,9 @@ namespace aleisph {
 // 1/dt), more in one step would overshoot
 double roughness_rate(double filter, double sigma, double rho, double d, double dt);
 
-void velocity_roughness(const Cloud &cloud, const double *v, const double *grad_v, double *out);
+// a_i += rate out_i on the fluid rows
+void add_roughness(const Cloud &cloud, double rate, const double *v, const double *grad_v,
+                   double *a);
 
 }    // namespace aleisph
 #endif

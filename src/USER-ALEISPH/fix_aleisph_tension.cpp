@@ -15,15 +15,12 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "group.h"
-#include "input.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "update.h"
 #include "utils.h"
-#include "variable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +32,9 @@ using aleisph::StepBound;
 
 namespace {
 
-constexpr double DEGREE = 3.14159265358979323846 / 180.0;
-constexpr double NEUTRAL = 0.0;    // cosine on walls that no keyword angle names: 90 degrees
 // The first row lies at one spacing from a wall. Below 0.8 contact lines are pinned.
 constexpr double HOLD_REACH = 1.0;    // in spacings
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
-
-bool is_angle(double degrees)
-{
-  return degrees > 0.0 && degrees < 180.0;
-}
 
 }    // namespace
 
@@ -124,29 +114,9 @@ void FixAleisphTension::set_form(const std::string &word)
   form_given_ = true;
 }
 
-FixAleisphTension::Angle FixAleisphTension::parse_angle(const std::string &name,
-                                                        const std::string &value)
-{
-  const int id = group->find(name);
-  if (id < 0)
-    error->all(FLERR, "Fix aleisph/tension: keyword angle: there is no group {} of walls", name);
-  Angle angle = {group->bitmask[id], name, "", 0.0};
-  if (utils::strmatch(value, "^v_")) {
-    angle.variable = value.substr(2);
-    return angle;
-  }
-  angle.degrees = utils::numeric(FLERR, value, false, lmp);
-  if (!is_angle(angle.degrees))
-    error->all(FLERR, "Fix aleisph/tension: angle must lie between 0 and 180 degrees, not {}",
-               value);
-  return angle;
-}
-
 int FixAleisphTension::setmask()
 {
-  int mask = PRE_FORCE;
-  if (force_form_) mask |= POST_FORCE;
-  return mask;
+  return force_form_ ? PRE_FORCE | POST_FORCE : PRE_FORCE;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -163,8 +133,6 @@ void FixAleisphTension::init()
                "Fix aleisph/tension: keyword sigma is required, the fluid of fix aleisph has no "
                "surface tension");
   walls_ = !modify->get_fix_by_style("^aleisph/wall$").empty();
-  if (!walls_ && !angles_.empty())
-    error->all(FLERR, "Fix aleisph/tension: keyword angle needs a fix aleisph/wall");
   resolve_angles();
   version_ = -1;
 
@@ -191,54 +159,6 @@ void FixAleisphTension::make_model()
 void FixAleisphTension::init_list(int, NeighList *list)
 {
   list_ = list;
-}
-
-void FixAleisphTension::resolve_angles() const
-{
-  int walls = 0;
-  for (const Fix *wall : modify->get_fix_by_style("^aleisph/wall$")) walls |= wall->groupbit;
-  for (const auto &angle : angles_) {
-    bigint count = 0;
-    for (int i = 0; i < atom->nlocal; i++)
-      count += (atom->mask[i] & angle.groupbit) && (atom->mask[i] & walls);
-    if (owner_->ranks().sum(count) == 0)
-      error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
-                 angle.group);
-    if (angle.variable.empty()) continue;
-    const int ivar = input->variable->find(angle.variable.c_str());
-    if (ivar < 0 || !(input->variable->equalstyle(ivar) || input->variable->atomstyle(ivar)))
-      error->all(FLERR, "Fix aleisph/tension: {} is not an equal- or atom-style variable",
-                 angle.variable);
-  }
-}
-
-// cosine of the angle on owned and ghost walls
-void FixAleisphTension::evaluate_angles()
-{
-  cosine_.assign(owner_->cloud().size(), NEUTRAL);
-  std::vector<double> values(atom->nlocal);
-  tagint outside = 0;
-  for (const auto &angle : angles_) {
-    const int ivar = angle.variable.empty() ? -1 : input->variable->find(angle.variable.c_str());
-    if (ivar < 0)
-      values.assign(atom->nlocal, angle.degrees);
-    else if (input->variable->equalstyle(ivar))
-      values.assign(atom->nlocal, input->variable->compute_equal(ivar));
-    else
-      input->variable->compute_atom(ivar, group->find(angle.group), values.data(), 1, 0);
-    for (int i = 0; i < atom->nlocal; i++) {
-      if (!(atom->mask[i] & angle.groupbit) || !(owner_->cloud().role()[i] & aleisph::WALL))
-        continue;
-      if (!is_angle(values[i])) outside = atom->tag[i];
-      cosine_[i] = std::cos(values[i] * DEGREE);
-    }
-    if (ivar >= 0 && (outside = owner_->ranks().largest(outside)))
-      error->all(FLERR,
-                 "Fix aleisph/tension: variable {} must lie between 0 and 180 degrees, for atom {} "
-                 "it does not at step {}",
-                 angle.variable, outside, update->ntimestep);
-  }
-  owner_->ranks().forward(cosine_.data(), 1);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -279,7 +199,7 @@ void FixAleisphTension::rebuild()
                                      cloud.normal());
     owner_->ranks().forward(cloud.normal(), 3);
   }
-  version_ = owner_->cloud().version();
+  version_ = cloud.version();
 }
 
 void FixAleisphTension::find_pressure()
@@ -295,9 +215,8 @@ void FixAleisphTension::find_pressure()
 
 void FixAleisphTension::find_velocity_gradient(const aleisph::Rows &rows)
 {
-  auto &cloud = owner_->cloud();
   grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(cloud, rows, owner_->velocity(), grad_v_.data());
+  aleisph::velocity_gradient(owner_->cloud(), rows, owner_->velocity(), grad_v_.data());
 }
 
 // as a force the tension acts on the layer of surface particles
@@ -312,13 +231,10 @@ void FixAleisphTension::add_acceleration(double *a)
 {
   auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
-  const double rate = aleisph::roughness_rate(filter_, sigma_, owner_->rho0(),
-                                              owner_->cloud().spacing(), update->dt);
+  const double rate = aleisph::roughness_rate(filter_, sigma_, owner_->rho0(), cloud.spacing(),
+                                              update->dt);
   find_velocity_gradient(cloud.fluid());
-  filtered_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_roughness(cloud, owner_->velocity(), grad_v_.data(), filtered_.data());
-  for (const int i : cloud.fluid())
-    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += rate * filtered_[k];
+  aleisph::add_roughness(cloud, rate, owner_->velocity(), grad_v_.data(), a);
 }
 
 void FixAleisphTension::guard_velocity(double *v)
@@ -366,26 +282,18 @@ double FixAleisphTension::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/tension");
   if (!owner_->ready() || version_ != owner_->cloud().version()) return 0.0;
   const aleisph::TensionResult &tension = result();
-  double mine = 0.0;
-  switch (n) {
-    case 0:
-      for (const int i : tension.rows) mine += tension.K[i];
-      return owner_->ranks().total(mine) / std::max(1L, owner_->ranks().sum(tension.rows.size()));
-    case 1:
-      for (const int i : tension.rows) mine = std::max(mine, std::fabs(tension.K[i]));
-      return owner_->ranks().max(mine);
-    case 2: return owner_->ranks().sum(tension.rows.size());
-    case 3: return owner_->ranks().sum(tension.contacts);
-    case 4: return owner_->ranks().sum(tension.count.few);
-    case 5: return owner_->ranks().sum(tension.count.unknown);
-    case 6: return owner_->ranks().sum(tension.count.limited);
-    case 7: return owner_->ranks().sum(tension.undirected);
-    default: return owner_->ranks().sum(held_);
-  }
+  const aleisph::CurvatureCount &count = tension.count;
+  const int rows = static_cast<int>(tension.rows.size());
+  const int counts[] = {rows,          tension.contacts,   count.few, count.unknown,
+                        count.limited, tension.undirected, held_};
+  auto &ranks = owner_->ranks();
+  if (n == 0) return ranks.total(tension.total_curvature()) / std::max(1L, ranks.sum(rows));
+  if (n == 1) return ranks.max(tension.largest_curvature());
+  return ranks.sum(counts[n - 2]);
 }
 
 double FixAleisphTension::memory_usage()
 {
   return (model_ ? model_->bytes() : 0.0) +
-      sizeof(double) * (p_.size() + cosine_.size() + grad_v_.size() + filtered_.size());
+      sizeof(double) * (p_.size() + cosine_.size() + grad_v_.size());
 }

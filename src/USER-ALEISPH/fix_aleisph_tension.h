@@ -94,7 +94,7 @@ class FixAleisphTension :
 
   std::vector<double> cosine_;    // of the contact angle, owned and ghost
   std::vector<double> p_;         // of the surface, owned
-  std::vector<double> grad_v_, filtered_;
+  std::vector<double> grad_v_;
 };
 
 }    // namespace LAMMPS_NS

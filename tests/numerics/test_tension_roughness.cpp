@@ -43,8 +43,10 @@ Field linear_field(const PointSet &cloud, int dim)
 
 std::vector<double> roughness(const Cloud &cloud, const Field &f)
 {
-  std::vector<double> out(f.v.size(), NAN);
-  velocity_roughness(cloud, f.v.data(), f.grad.data(), out.data());
+  // twice the rate, added to 1
+  std::vector<double> out(f.v.size(), 1.0);
+  add_roughness(cloud, 2.0, f.v.data(), f.grad.data(), out.data());
+  for (double &x : out) x = 0.5 * (x - 1.0);
   return out;
 }
 

@@ -65,7 +65,8 @@ def wrong_in_numerics(path, system, name):
 
 
 def wrong_in_style(path, name):
-    own = name == path.with_suffix(".h").name
+    stem = name.removesuffix(".h")    # of its own header; a style may have more than one source file
+    own = path.stem == stem or path.stem.startswith(stem + "_")
     return bool(STYLE.match(name)) and "aleisph" in name and not own and name not in OWNER
 
 
