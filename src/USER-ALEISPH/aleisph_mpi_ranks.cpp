@@ -73,6 +73,15 @@ void Ranks::forward(double *field, int ncomp)
   halo_.finish(field, ncomp);
 }
 
+void Ranks::forward_roles(Cloud &cloud)
+{
+  Role *role = cloud.role();
+  std::vector<double> bits(role, role + cloud.size());
+  forward(bits.data(), 1);
+  for (int i = cloud.owned(); i < cloud.size(); i++) role[i] = static_cast<Role>(bits[i]);
+  cloud.roles_changed();
+}
+
 void Ranks::start(double *field)
 {
   Timers::Scope scope(timers_, Part::COMM);

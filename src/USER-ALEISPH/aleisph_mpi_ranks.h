@@ -8,7 +8,9 @@
 #ifndef LMP_ALEISPH_MPI_RANKS_H
 #define LMP_ALEISPH_MPI_RANKS_H
 
+#include "aleisph_cloud.h"
 #include "aleisph_csr.h"
+#include "aleisph_fields.h"
 #include "aleisph_krylov.h"
 #include "aleisph_mpi_halo.h"
 #include "aleisph_timers.h"
@@ -42,6 +44,8 @@ class Ranks : public InnerProduct {
   const HaloExchange &halo() const { return halo_; }
   // ncomp doubles per particle from their owners to all ghosts
   void forward(double *field, int ncomp);
+  void forward(const Field &field) { forward(field.exchanged(), field.width()); }
+  void forward_roles(Cloud &cloud);
   // the same of one double, for linear solves that work in between: see HaloExchange
   void start(double *field);
   void finish(double *field);

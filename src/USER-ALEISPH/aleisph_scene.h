@@ -23,6 +23,7 @@
 #ifndef LMP_ALEISPH_SCENE_H
 #define LMP_ALEISPH_SCENE_H
 
+#include "aleisph_fields.h"
 #include "aleisph_roles.h"
 #include "aleisph_stencil.h"
 #include "aleisph_timestep.h"
@@ -36,8 +37,8 @@ namespace aleisph {
 // A condition that fixes the velocity of some owned particles from that of others
 class VelocityCondition {
  public:
-  // sets v (3 doubles per particle) on its owned particles; ghosts valid on return
-  virtual void impose(double *v) = 0;
+  // sets a velocity on its owned particles; ghosts valid on return
+  virtual void impose(const Field &v) = 0;
   // local index that owned particle i copies from, -1 if it is not one of its particles
   virtual int source(int i) const = 0;
 
@@ -71,9 +72,9 @@ class Acceleration {
 // What may be done to a pressure and its gradient before they act on the velocity
 class PressureGuard {
  public:
-  // p: owned and ghost particles, ghosts valid before and after; grad: 3 per owned particle.
-  // Called with the gradient of p already in grad; on return they belong together again.
-  virtual void guard_pressure(double *p, double *grad) = 0;
+  // p: ghosts valid before and after; grad: 3 per owned particle. Called with the gradient of p
+  // already in grad; on return they belong together again.
+  virtual void guard_pressure(const Field &p, double *grad) = 0;
 
  protected:
   ~PressureGuard() = default;

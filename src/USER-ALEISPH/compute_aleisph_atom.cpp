@@ -115,8 +115,9 @@ std::vector<double> ComputeAleisphAtom::density() const
 std::vector<double> ComputeAleisphAtom::divergence() const
 {
   auto &cloud = owner_->cloud();
-  double *v = owner_->velocity();
-  owner_->ranks().forward(v, 3);
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
   std::vector<double> div(atom->nlocal, 0.0);
   aleisph::divergence(cloud, cloud.fluid(), v, div.data());
   return div;
@@ -127,7 +128,7 @@ double ComputeAleisphAtom::value(Field field, int i)
   auto &cloud = owner_->cloud();
   const auto &s = cloud.stencil();
   switch (field) {
-    case Field::P: return owner_->pressure()[i];
+    case Field::P: return owner_->fields().pressure().owned()[i];
     case Field::LAMBDA: return cloud.gradient().lambda(i);
     case Field::COND: return cloud.laplacian_rows().condition(i);
     case Field::NX: return cloud.normal()[3 * i];
@@ -138,7 +139,7 @@ double ComputeAleisphAtom::value(Field field, int i)
     case Field::UX:
     case Field::UY:
     case Field::UZ: {
-      const double *u = owner_->custom("aleisph_u");
+      const double *u = owner_->fields().property("aleisph_u");
       return u ? u[3 * i + static_cast<int>(field) - static_cast<int>(Field::UX)] : 0.0;
     }
     case Field::KAPPA:
@@ -147,7 +148,10 @@ double ComputeAleisphAtom::value(Field field, int i)
     case Field::TNY:
     case Field::TNZ:
     case Field::CONTACT: return tension_value(field, i);
-    default: return owner_->row_types().empty() ? 0 : static_cast<int>(owner_->row_types()[i]);
+    default:
+      return owner_->fields().row_types().empty()
+          ? 0
+          : static_cast<int>(owner_->fields().row_types()[i]);
   }
 }
 

@@ -30,21 +30,14 @@ using aleisph::Role;
 
 namespace {
 
-constexpr char PRESSURE_FIX[] = "ALEISPH_P";
-constexpr char PRESSURE[] = "aleisph_p";
-constexpr char WALL_VELOCITY_FIX[] = "ALEISPH_VW";
-constexpr char WALL_VELOCITY[] = "aleisph_vw";
-constexpr char WALL_SHAPE_FIX[] = "ALEISPH_N";
-constexpr char WALL_SHAPE[] = "aleisph_n";
-
 }    // namespace
 
 /* ---------------------------------------------------------------------- */
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), checks_(lmp, *this), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2},
-    spacing_(0.0), list_(nullptr), reach_(0.0), pressure_valid_(false), walls_located_(false),
-    ndry_(0), own_cutoff_(0.0), halo_plan_(nullptr)
+    spacing_(0.0), list_(nullptr), reach_(0.0), walls_located_(false), own_cutoff_(0.0),
+    halo_plan_(nullptr)
 {
   parse(narg, arg);
 
@@ -58,14 +51,13 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
   const aleisph::Kernel kernel(params_.kernel, domain->dimension, params_.h_over_d * spacing_);
   cloud_ = std::make_unique<aleisph::Cloud>(kernel, spacing_, timers_);
   ranks_ = std::make_unique<aleisph::Ranks>(world, timers_);
+  fields_ = std::make_unique<AleisphFields>(lmp);
 }
 
 FixAleisph::~FixAleisph()
 {
   print_report();
-  if (!modify) return;
-  for (const char *id : {PRESSURE_FIX, WALL_VELOCITY_FIX, WALL_SHAPE_FIX})
-    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
+  fields_->delete_properties();
 }
 
 void FixAleisph::parse(int narg, char **arg)
@@ -135,12 +127,7 @@ int FixAleisph::setmask()
 
 void FixAleisph::post_constructor()
 {
-  modify->add_fix(
-      fmt::format("{} all property/atom d_{} ghost yes writedata no", PRESSURE_FIX, PRESSURE));
-  modify->add_fix(
-      fmt::format("{} all property/atom d2_{} 3 writedata no", WALL_VELOCITY_FIX, WALL_VELOCITY));
-  modify->add_fix(
-      fmt::format("{} all property/atom d2_{} 4 writedata no", WALL_SHAPE_FIX, WALL_SHAPE));
+  fields_->add_properties();
 }
 
 /* ---------------------------------------------------------------------- */
@@ -170,33 +157,9 @@ double FixAleisph::particle_mass() const
   return fluid_.rho0 * cloud_->volume();
 }
 
-double *FixAleisph::pressure()
-{
-  int flag, cols;
-  return atom->dvector[atom->find_custom(PRESSURE, flag, cols)];
-}
-
-double *FixAleisph::custom(const std::string &name) const
-{
-  int flag, cols;
-  const int index = atom->find_custom(name.c_str(), flag, cols);
-  if (index < 0 || atom->nmax == 0) return nullptr;
-  return &atom->darray[index][0][0];
-}
-
-double *FixAleisph::previous_wall_velocity()
-{
-  return custom(WALL_VELOCITY);
-}
-
 bool FixAleisph::ready() const
 {
   return !ranks_->any(cloud_->version() == 0 || cloud_->stencil().rows() != atom->nlocal);
-}
-
-double *FixAleisph::velocity()
-{
-  return atom->nmax ? &atom->v[0][0] : nullptr;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -246,6 +209,7 @@ void FixAleisph::setup_pre_force(int)
 
 void FixAleisph::pre_force(int)
 {
+  fields_->expire();
   const bool reneighbored = neighbor->ago == 0;
   if (reneighbored) build_halo();
   if (reneighbored || positions_changed()) rebuild();
@@ -269,8 +233,7 @@ void FixAleisph::rebuild()
 {
   assign_roles();
   const int n = cloud_->size();
-  vstar_.assign(3 * n, 0.0);
-  row_types_.clear();
+  fields_->reset(n);
   restore_walls();
   constexpr int FAULTS = AleisphChecks::ROLE_FAULTS;
   long long found[FAULTS + 1] = {};
@@ -314,9 +277,9 @@ void FixAleisph::assign_roles()
 
 /* ---------------------------------------------------------------------- */
 
-void FixAleisph::complete_velocity(double *v)
+void FixAleisph::complete_velocity(const aleisph::Field &v)
 {
-  if (scene_.conditions().empty()) ranks_->forward(v, 3);
+  if (scene_.conditions().empty()) ranks_->forward(v);
   for (auto *condition : scene_.conditions()) condition->impose(v);
 }
 
@@ -325,7 +288,7 @@ void FixAleisph::complete_velocity(double *v)
 void FixAleisph::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const double valid = pressure_valid_;
+  const double valid = fields_->pressure_known();
   const int size = sizeof(double);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&valid, sizeof(double), 1, fp);
@@ -333,7 +296,7 @@ void FixAleisph::write_restart(FILE *fp)
 
 void FixAleisph::restart(char *buf)
 {
-  pressure_valid_ = *reinterpret_cast<double *>(buf) != 0.0;
+  fields_->set_pressure_known(*reinterpret_cast<double *>(buf) != 0.0);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -369,5 +332,5 @@ double FixAleisph::compute_vector(int n)
 
 double FixAleisph::memory_usage()
 {
-  return cloud_->bytes() + ranks_->bytes() + sizeof(double) * (vstar_.size() + x_built_.size());
+  return cloud_->bytes() + ranks_->bytes() + fields_->bytes() + sizeof(double) * x_built_.size();
 }

@@ -20,9 +20,8 @@ FixStyle(aleisph,FixAleisph);
 #include "aleisph_cloud.h"
 #include "aleisph_fluid.h"
 #include "aleisph_halo_checks.h"
-#include "aleisph_krylov.h"
+#include "aleisph_halo_fields.h"
 #include "aleisph_mpi_ranks.h"
-#include "aleisph_ppe.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 
@@ -37,6 +36,7 @@ struct AleisphTally {
   long ppe_builds = 0, precond_builds = 0, viscous_builds = 0, viscous_passes = 0, wall_passes = 0;
   int singular_rows = 0, dirichlet_rows = 0;    // of this rank, last assembly
   int surface_rows = 0;
+  int dry_walls = 0;          // of this rank
   int replaced_pivots = 0;    // of this rank, last preconditioner
 };
 
@@ -75,38 +75,23 @@ class FixAleisph : public Fix {
   // what the styles of this run contribute: they sign up in their init(), which comes after the
   // owner's
   aleisph::Scene &scene() { return scene_; }
-  const aleisph::Scene &scene() const { return scene_; }
   // neighbours up to this distance are asked for: ghosts must reach as far
   void require_reach(double reach);
 
   // -- parameters
-  double rho0() const { return fluid_.rho0; }
   const aleisph::FluidProperties &fluid() const { return fluid_; }
   double particle_mass() const;
 
   // -- valid from pre_force on, until particles move or migrate
   aleisph::Cloud &cloud() { return *cloud_; }
-  bool ready() const;      // there is a stencil, and it is that of the present particles
-  void forward_roles();    // of the cloud, to its ghosts
-  int dry_walls() const { return ndry_; }      // of this rank
-  double *vstar() { return vstar_.data(); }    // 3 per particle, owned and ghost
-  double *pressure();                          // d_aleisph_p, owned and ghost
-  double *velocity();                          // atom->v as one array
-  double *previous_wall_velocity();    // d2_aleisph_vw: v of owned walls at the last step's end
-  // what the last PPE made of each owned particle; empty before the first assembly
-  std::vector<aleisph::RowType> &row_types() { return row_types_; }
-
-  // -- pressure has been solved for, or came from a restart file
-  bool pressure_valid() const { return pressure_valid_; }
-  void set_pressure_valid() { pressure_valid_ = true; }
-
+  bool ready() const;    // there is a stencil, and it is that of the present particles
   // impose the velocity conditions on v, then make its ghosts valid
-  void complete_velocity(double *v);
+  void complete_velocity(const aleisph::Field &v);
 
   // an error in the caller's name if v (3 per particle) is not finite on an owned particle
   void require_finite(const double *v, const std::string &caller, const std::string &what) const;
-  double *custom(const std::string &name) const;    // d2_NAME as one array, null if there is none
 
+  AleisphFields &fields() { return *fields_; }
   aleisph::Ranks &ranks() { return *ranks_; }
   aleisph::Timers &timers() { return timers_; }
   AleisphTally &tally() { return tally_; }
@@ -144,15 +129,14 @@ class FixAleisph : public Fix {
   class NeighList *list_;
   aleisph::Scene scene_;
   double reach_;
-  bool pressure_valid_, walls_located_;
-  int ndry_;
+  bool walls_located_;
   double own_cutoff_;    // ghost cutoff that this fix has set, 0 if none
 
   aleisph::Timers timers_;
   std::unique_ptr<aleisph::Cloud> cloud_;
   std::unique_ptr<aleisph::Ranks> ranks_;
-  std::vector<double> vstar_, x_built_;
-  std::vector<aleisph::RowType> row_types_;
+  std::unique_ptr<AleisphFields> fields_;
+  std::vector<double> x_built_;
   AleisphTally tally_;
   AleisphReport report_;
 

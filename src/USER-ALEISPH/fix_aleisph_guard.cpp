@@ -117,12 +117,12 @@ void FixAleisphGuard::record(Guard guard, long events, double energy)
    Guards of the pressure
 ------------------------------------------------------------------------- */
 
-void FixAleisphGuard::guard_pressure(double *p, double *grad)
+void FixAleisphGuard::guard_pressure(const aleisph::Field &p, double *grad)
 {
   if (limit_pressure_) limit_pressure(p, grad);
   if (!selfterm_ && symmetric_ == 0.0) return;
   // they contain the pressure itself: that above the pressure outside, which must not act
-  gauge_.assign(p, p + owner_->cloud().size());
+  gauge_.assign(p.all(), p.all() + owner_->cloud().size());
   for (double &value : gauge_) value -= owner_->scene().surface().pressure;
   if (selfterm_) correct_self_terms(gauge_.data(), grad);
   if (symmetric_ > 0.0) replace_gradients(gauge_.data(), grad);
@@ -131,8 +131,8 @@ void FixAleisphGuard::guard_pressure(double *p, double *grad)
 // kinetic energy of v* - dt/rho0 grad minus that with the gradient before
 double FixAleisphGuard::gradient_energy(const std::vector<double> &before, const double *grad) const
 {
-  const double *vstar = owner_->vstar();
-  const double factor = update->dt / owner_->rho0();
+  const double *vstar = owner_->fields().predicted().owned();
+  const double factor = update->dt / owner_->fluid().rho0;
   double sum = 0.0;
   for (const int i : owner_->cloud().fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) {
@@ -142,20 +142,20 @@ double FixAleisphGuard::gradient_energy(const std::vector<double> &before, const
   return 0.5 * owner_->particle_mass() * sum;
 }
 
-void FixAleisphGuard::limit_pressure(double *p, double *grad)
+void FixAleisphGuard::limit_pressure(const aleisph::Field &pressure, double *grad)
 {
   long low = 0;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(p[i] < least_pressure_)) continue;
-    p[i] = least_pressure_;
+    if (!(pressure.owned()[i] < least_pressure_)) continue;
+    pressure.edit()[i] = least_pressure_;
     low++;
   }
   double energy = 0.0;
   if (owner_->ranks().sum(low)) {
-    owner_->ranks().forward(p, 1);
+    owner_->ranks().forward(pressure);
     auto &cloud = owner_->cloud();
     work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(cloud, cloud.fluid(), p, grad);
+    aleisph::gradient(cloud, cloud.fluid(), pressure.all(), grad);
     for (const int i : cloud.fluid())
       if (cloud.role()[i] & aleisph::BALLISTIC) std::fill_n(grad + 3 * i, 3, 0.0);
     energy = gradient_energy(work_, grad);
@@ -206,7 +206,7 @@ void FixAleisphGuard::complete_inverses()
 // returns the change of kinetic energy
 double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
 {
-  double *v = owner_->velocity();
+  double *v = owner_->fields().velocity().edit();
   double sum = 0.0;
   for (const int i : owner_->cloud().fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) {
@@ -219,8 +219,9 @@ double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
 void FixAleisphGuard::collide()
 {
   auto &cloud = owner_->cloud();
-  double *v = owner_->velocity();
-  owner_->ranks().forward(v, 3);
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
   const double reach = collision_ * cloud.spacing();
   counts_.assign(cloud.size(), 0.0);
   aleisph::count_approaching(cloud, v, reach, counts_.data());
@@ -233,7 +234,7 @@ void FixAleisphGuard::collide()
 void FixAleisphGuard::cap()
 {
   const auto &fluid = owner_->cloud().fluid();
-  double *v = owner_->velocity();
+  double *v = owner_->fields().velocity().edit();
   const auto energy = [&]() {
     double sum = 0.0;
     for (const int i : fluid)
@@ -248,9 +249,10 @@ void FixAleisphGuard::cap()
 void FixAleisphGuard::hold_off_walls()
 {
   auto &cloud = owner_->cloud();
-  double *v = owner_->velocity();
-  double *u = owner_->custom(SHIFT);
-  owner_->ranks().forward(v, 3);
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
+  double *u = owner_->fields().property(SHIFT);
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
   std::vector<double> w(n, 0.0), dw(n, 0.0);
   work_.assign(n, 0.0);

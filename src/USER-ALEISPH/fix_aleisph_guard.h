@@ -44,8 +44,8 @@ class FixAleisphGuard : public Fix, private aleisph::PressureGuard {
   };
 
   void parse(int narg, char **arg);
-  void guard_pressure(double *p, double *grad) override;
-  void limit_pressure(double *p, double *grad);
+  void guard_pressure(const aleisph::Field &p, double *grad) override;
+  void limit_pressure(const aleisph::Field &pressure, double *grad);
   void replace_gradients(const double *p, double *grad);
   void correct_self_terms(const double *p, double *grad);
   aleisph::Rows free_rows() const;

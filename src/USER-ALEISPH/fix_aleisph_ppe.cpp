@@ -132,9 +132,9 @@ void FixAleisphPPE::write_restart_file(const char *)
 
 void FixAleisphPPE::setup(int)
 {
-  if (owner_->pressure_valid()) return;
+  if (owner_->fields().pressure_known()) return;
   solve();
-  owner_->set_pressure_valid();
+  owner_->fields().set_pressure_known(true);
 }
 
 void FixAleisphPPE::final_integrate()
@@ -152,7 +152,8 @@ void FixAleisphPPE::solve()
   params_.krylov.remove_mean = closed_;
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SOLVE);
-  double *p = owner_->pressure();
+  const aleisph::Field pressure = owner_->fields().pressure();
+  const double *p = pressure.owned();
   p_.assign(p, p + owner_->cloud().size());
   const long builds = solver_->solver().counts().builds;
   report_ = solver_->solve(matrix_, *owner_, rhs_.data(), p_.data(), params_.krylov);
@@ -160,14 +161,14 @@ void FixAleisphPPE::solve()
   tally.precond_builds += solver_->solver().counts().builds - builds;
   tally.replaced_pivots = solver_->solver().precond_report().replaced_pivots;
   act_on(report_);
-  std::copy(p_.begin(), p_.begin() + atom->nlocal, p);
-  owner_->ranks().forward(p, 1);
+  std::copy(p_.begin(), p_.begin() + atom->nlocal, pressure.edit());
+  owner_->ranks().forward(pressure);
 }
 
 double FixAleisphPPE::rounding_level() const
 {
-  const double *vstar = owner_->vstar();
-  const double *p = owner_->pressure();
+  const double *vstar = owner_->fields().predicted().owned();
+  const double *p = owner_->fields().pressure().owned();
   double squares[2] = {0.0, 0.0};
   for (int i = 0; i < atom->nlocal; i++) {
     for (int a = 0; a < 3; a++) squares[0] += vstar[3 * i + a] * vstar[3 * i + a];
@@ -175,7 +176,7 @@ double FixAleisphPPE::rounding_level() const
   }
   owner_->ranks().sum(2, squares);
   return ROUNDING *
-      (owner_->rho0() * owner_->cloud().spacing() / update->dt * std::sqrt(squares[0]) +
+      (owner_->fluid().rho0 * owner_->cloud().spacing() / update->dt * std::sqrt(squares[0]) +
        std::sqrt(squares[1]));
 }
 
@@ -189,7 +190,7 @@ void FixAleisphPPE::assemble()
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
     rows = aleisph::assemble_ppe(cloud, std::move(laplacian), options(), matrix_,
-                                 owner_->row_types());
+                                 owner_->fields().row_types());
   }
   closed_ = !owner_->ranks().any(rows.dirichlet + rows.singular + rows.surface > 0);
   solver_->matrix_changed();
@@ -218,34 +219,35 @@ aleisph::PpeOptions FixAleisphPPE::options() const
 void FixAleisphPPE::right_hand_side()
 {
   auto &cloud = owner_->cloud();
-  owner_->complete_velocity(owner_->vstar());
+  owner_->complete_velocity(owner_->fields().predicted());
   aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
   rhs_.resize(atom->nlocal);
   div_.resize(atom->nlocal);
-  aleisph::divergence(cloud, cloud.fluid(), owner_->vstar(), div_.data());
+  aleisph::divergence(cloud, cloud.fluid(), owner_->fields().predicted().all(), div_.data());
   // before the first pressure v* holds an acceleration, relative to the wall's
   std::vector<double> at_rest;
-  const double *vwall = owner_->velocity();
-  if (!owner_->pressure_valid()) {
+  const double *vwall = owner_->fields().velocity().owned();
+  if (!owner_->fields().pressure_known()) {
     at_rest.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
     vwall = at_rest.data();
   }
   aleisph::PpeFields fields;
-  fields.rho_over_dt = owner_->rho0() / update->dt;
-  fields.vstar = owner_->vstar();
+  fields.rho_over_dt = owner_->fluid().rho0 / update->dt;
+  fields.vstar = owner_->fields().predicted().owned();
   fields.vwall = vwall;
   fields.div = div_.data();
-  fields.p = owner_->pressure();
+  fields.p = owner_->fields().pressure().owned();
   fields.p_surf = owner_->scene().surface().pressure;
   if (const auto *tension = owner_->scene().tension()) fields.tension = tension->surface_pressure();
-  aleisph::ppe_rhs(cloud, owner_->row_types(), fields, rhs_.data());
+  aleisph::ppe_rhs(cloud, owner_->fields().row_types(), fields, rhs_.data());
 }
 
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
 {
   if (report.ok()) return;
   if (report.status == SolveStatus::NOT_FINITE)
-    owner_->require_finite(owner_->vstar(), "Fix aleisph/ppe", "predicted velocity");
+    owner_->require_finite(owner_->fields().predicted().owned(), "Fix aleisph/ppe",
+                           "predicted velocity");
   failures_++;
   const std::string text = fmt::format(
       "Fix aleisph/ppe: pressure not converged at step {} ({}): {} iterations, residual {:.4g} of "
@@ -260,21 +262,22 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
 void FixAleisphPPE::correct_velocity()
 {
   auto &cloud = owner_->cloud();
-  double *v = owner_->velocity();
+  const aleisph::Field velocity = owner_->fields().velocity();
+  double *v = velocity.edit();
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
-    const double *vstar = owner_->vstar();
-    const double factor = update->dt / owner_->rho0();
+    const double *vstar = owner_->fields().predicted().owned();
+    const double factor = update->dt / owner_->fluid().rho0;
     grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(cloud, cloud.fluid(), owner_->pressure(), grad_.data());
+    aleisph::gradient(cloud, cloud.fluid(), owner_->fields().pressure().all(), grad_.data());
     if (owner_->scene().surface().present) release_ballistic();
     if (auto *guard = owner_->scene().pressure_guard())
-      guard->guard_pressure(owner_->pressure(), grad_.data());
+      guard->guard_pressure(owner_->fields().pressure(), grad_.data());
     for (const int i : cloud.fluid())
       for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
   }
   if (auto *guard = owner_->scene().velocity_guard()) guard->guard_velocity(v);
-  if (!owner_->scene().conditions().empty()) owner_->complete_velocity(v);
+  if (!owner_->scene().conditions().empty()) owner_->complete_velocity(velocity);
 }
 
 void FixAleisphPPE::release_ballistic()
@@ -289,18 +292,19 @@ void FixAleisphPPE::release_ballistic()
 double FixAleisphPPE::residual_bound() const
 {
   const double d = owner_->cloud().spacing();
-  return report_.residual * update->dt * update->dt / (owner_->rho0() * d * d);
+  return report_.residual * update->dt * update->dt / (owner_->fluid().rho0 * d * d);
 }
 
 double FixAleisphPPE::max_divergence()
 {
   auto &cloud = owner_->cloud();
-  double *v = owner_->velocity();
-  owner_->ranks().forward(v, 3);
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
   div_.resize(atom->nlocal);
   aleisph::divergence(cloud, cloud.fluid(), v, div_.data());
   double mine = 0.0;
-  const auto &types = owner_->row_types();
+  const auto &types = owner_->fields().row_types();
   for (const int i : cloud.fluid())
     if (types.empty() || types[i] == aleisph::RowType::FLUID)
       mine = std::max(mine, std::fabs(div_[i]));

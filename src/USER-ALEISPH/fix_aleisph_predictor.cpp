@@ -172,7 +172,7 @@ void FixAleisphPredictor::init()
     error->all(FLERR, "Fix aleisph/predictor: there must be only one");
 
   nu_ = owner_->fluid().nu;
-  if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->rho0() : params_.nu;
+  if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->fluid().rho0 : params_.nu;
   owner_->scene().set_viscosity(nu_);
   viscous_version_ = -1;
   check_shift();
@@ -229,9 +229,10 @@ void FixAleisphPredictor::setup(int)
   // a time step that is chosen is checked in reset_dt()
   if (!owner_->scene().adaptive_step()) check_viscous_limit();
   if (prescribed()) evaluate_transport();
-  if (owner_->pressure_valid()) return;
-  double *v = owner_->velocity();
-  owner_->ranks().forward(v, 3);
+  if (owner_->fields().pressure_known()) return;
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   auto &cloud = owner_->cloud();
@@ -242,7 +243,7 @@ void FixAleisphPredictor::setup(int)
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
   add_other_terms(a_);
-  double *vstar = owner_->vstar();
+  double *vstar = owner_->fields().predicted().edit();
   for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
     for (const int i : *rows)
       for (int a = 0; a < 3; a++) vstar[3 * i + a] = update->dt * a_[3 * i + a];
@@ -251,8 +252,9 @@ void FixAleisphPredictor::setup(int)
 void FixAleisphPredictor::initial_integrate(int)
 {
   double **x = atom->x;
-  const double *w = prescribed() ? owner_->custom(TRANSPORT) : owner_->velocity();
-  const double *shift = shifted() ? owner_->custom(SHIFT) : nullptr;
+  const double *w = prescribed() ? owner_->fields().property(TRANSPORT)
+                                 : owner_->fields().velocity().owned();
+  const double *shift = shifted() ? owner_->fields().property(SHIFT) : nullptr;
   const int dim = domain->dimension;
   for (const int i : owner_->cloud().fluid())
     for (int a = 0; a < dim; a++)
@@ -266,7 +268,7 @@ void FixAleisphPredictor::end_of_step()
 
 void FixAleisphPredictor::evaluate_transport()
 {
-  double *w = owner_->custom(TRANSPORT);
+  double *w = owner_->fields().property(TRANSPORT);
   std::vector<double> values(atom->nlocal);
   for (int a = 0; a < domain->dimension; a++) {
     const std::string &word = params_.transport[a];
@@ -289,7 +291,7 @@ void FixAleisphPredictor::evaluate_transport()
 
 void FixAleisphPredictor::final_integrate()
 {
-  owner_->ranks().forward(owner_->velocity(), 3);
+  owner_->ranks().forward(owner_->fields().velocity());
   if (params_.theta > 0.0)
     predict_implicit();
   else
@@ -314,11 +316,11 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
 {
   if (params_.frame == Frame::LAGRANGIAN) return;
   auto &cloud = owner_->cloud();
-  const double *v = owner_->velocity();
+  const double *v = owner_->fields().velocity().all();
   const double *c = v;
   if (params_.frame == Frame::ALE) {
     relative_.resize(a.size());
-    const double *w = owner_->custom(shifted() ? SHIFT : TRANSPORT);
+    const double *w = owner_->fields().property(shifted() ? SHIFT : TRANSPORT);
     for (std::size_t k = 0; k < a.size(); k++) relative_[k] = shifted() ? -w[k] : v[k] - w[k];
     c = relative_.data();
   }
@@ -331,7 +333,7 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 {
   if (nu_ == 0.0 || share == 0.0) return;
   auto &cloud = owner_->cloud();
-  aleisph::laplacian(cloud, cloud.fluid(), owner_->velocity(), work_.data());
+  aleisph::laplacian(cloud, cloud.fluid(), owner_->fields().velocity().all(), work_.data());
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share * nu_ * work_[k];
   owner_->tally().viscous_passes++;
@@ -353,7 +355,7 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
   if (!owner_->ranks().any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
-  aleisph::curl(cloud, cloud.all(), owner_->velocity(), vorticity.data());
+  aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
   owner_->ranks().forward(vorticity.data(), 3);
   aleisph::curl(cloud, rows, vorticity.data(), work_.data());
   for (const int i : rows)
@@ -369,7 +371,7 @@ void FixAleisphPredictor::add_other_terms(std::vector<double> &a)
 void FixAleisphPredictor::extrapolate(std::vector<double> &a)
 {
   if (!params_.ab2) return;
-  double *old = owner_->custom(ACCELERATION);
+  double *old = owner_->fields().property(ACCELERATION);
   const double half_ratio = previous_dt_ > 0.0 ? 0.5 * update->dt / previous_dt_ : 0.0;
   for (std::size_t k = 0; k < a.size(); k++) {
     const double now = a[k];
@@ -389,8 +391,8 @@ void FixAleisphPredictor::predict_explicit()
   add_wall_viscosity(a_);
   add_other_terms(a_);
   extrapolate(a_);
-  const double *v = owner_->velocity();
-  double *vstar = owner_->vstar();
+  const double *v = owner_->fields().velocity().all();
+  double *vstar = owner_->fields().predicted().edit();
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
   predict_walls();
@@ -405,8 +407,8 @@ void FixAleisphPredictor::predict_explicit()
 void FixAleisphPredictor::predict_walls()
 {
   const auto &wall = owner_->cloud().wall();
-  const double *before = owner_->previous_wall_velocity();
-  double *vstar = owner_->vstar();
+  const double *before = owner_->fields().wall_velocity();
+  double *vstar = owner_->fields().predicted().edit();
   for (const int i : wall)
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
 }
@@ -429,25 +431,26 @@ void FixAleisphPredictor::predict_implicit()
   add_other_terms(a_);
   extrapolate(a_);
 
-  owner_->ranks().forward(owner_->pressure(), 1);
+  owner_->ranks().forward(owner_->fields().pressure());
   grad_p_.assign(a_.size(), 0.0);
-  aleisph::gradient(cloud, cloud.fluid(), owner_->pressure(), grad_p_.data());
-  const double *v = owner_->velocity();
-  double *vstar = owner_->vstar();
+  aleisph::gradient(cloud, cloud.fluid(), owner_->fields().pressure().all(), grad_p_.data());
+  const double *v = owner_->fields().velocity().all();
+  double *vstar = owner_->fields().predicted().edit();
   predict_walls();
 
   add_viscosity(1.0 - params_.theta, a_);
   std::vector<double> &rhs = a_;
   for (const int i : cloud.fluid())
     for (int k = 3 * i; k < 3 * i + 3; k++)
-      rhs[k] = v[k] + dt * (a_[k] - grad_p_[k] / owner_->rho0());
+      rhs[k] = v[k] + dt * (a_[k] - grad_p_[k] / owner_->fluid().rho0);
   for (const int i : cloud.wall())
     for (int k = 3 * i; k < 3 * i + 3; k++) rhs[k] = v[k];
 
   if (viscous_version_ != cloud.version() || viscous_dt_ != dt) assemble_viscous();
   solve_viscous(rhs);
   for (const int i : cloud.fluid())
-    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = rhs[k] + dt / owner_->rho0() * grad_p_[k];
+    for (int k = 3 * i; k < 3 * i + 3; k++)
+      vstar[k] = rhs[k] + dt / owner_->fluid().rho0 * grad_p_[k];
 }
 
 // rows: fluid 1 - theta dt nu lap; wall and other particles v; buffer v - v_source
@@ -494,7 +497,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
   krylov.rtol = 0.0;
   krylov.atol = params_.tolerance * std::sqrt(norm);
 
-  const double *v = owner_->velocity();
+  const double *v = owner_->fields().velocity().all();
   std::vector<double> b(atom->nlocal), u(owner_->cloud().size());
   viscous_iterations_ = 0;
   for (int a = 0; a < domain->dimension; a++) {
@@ -562,10 +565,12 @@ double FixAleisphPredictor::largest_norm(const aleisph::Rows &rows, const double
 double FixAleisphPredictor::largest_speed() const
 {
   const auto &cloud = owner_->cloud();
-  const double *v = owner_->velocity();
+  const double *v = owner_->fields().velocity().owned();
   double speed = std::max(largest_norm(cloud.fluid(), v), largest_norm(cloud.wall(), v));
-  if (prescribed()) speed = std::max(speed, largest_norm(cloud.fluid(), owner_->custom(TRANSPORT)));
-  if (shifted()) speed = std::max(speed, largest_norm(cloud.fluid(), v, owner_->custom(SHIFT)));
+  if (prescribed())
+    speed = std::max(speed, largest_norm(cloud.fluid(), owner_->fields().property(TRANSPORT)));
+  if (shifted())
+    speed = std::max(speed, largest_norm(cloud.fluid(), v, owner_->fields().property(SHIFT)));
   return speed;
 }
 
@@ -579,7 +584,7 @@ void FixAleisphPredictor::time_step_limits(aleisph::StepBounds &limits) const
   limits.lower(StepBound::FORCE, aleisph::force_limit(d, acceleration));
   if (params_.theta == 0.0) limits.lower(StepBound::VISCOUS, viscous_limit_);
   if (params_.frame == Frame::EULERIAN && !params_.ab2) {
-    const double speed = largest_norm(cloud.fluid(), owner_->velocity());
+    const double speed = largest_norm(cloud.fluid(), owner_->fields().velocity().owned());
     limits.lower(StepBound::CONVECTION, aleisph::convection_limit(nu_, speed));
   }
 }
@@ -597,9 +602,11 @@ double FixAleisphPredictor::compute_vector(int n)
   if (!owner_->ready()) return 0.0;
   const auto &fluid = owner_->cloud().fluid();
   switch (n) {
-    case 0: return largest_norm(fluid, owner_->velocity()) * update->dt / owner_->cloud().spacing();
+    case 0:
+      return largest_norm(fluid, owner_->fields().velocity().owned()) * update->dt /
+          owner_->cloud().spacing();
     case 1: return viscous_number();
-    case 2: return largest_norm(fluid, owner_->velocity());
+    case 2: return largest_norm(fluid, owner_->fields().velocity().owned());
     case 3: return advisable_time_step();
     case 4: return viscous_iterations_;
     default: return solver_->solver().counts().fallbacks;

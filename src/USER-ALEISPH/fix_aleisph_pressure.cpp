@@ -110,7 +110,7 @@ void FixAleisphPressure::set_pressure()
       input->variable->compute_atom(ivar, igroup, p.data(), 1, 0);
   }
 
-  double *pressure = owner_->pressure();
+  double *pressure = owner_->fields().pressure().edit();
   tagint bad = 0;
   for (int i = 0; i < n; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -193,14 +193,15 @@ void FixAleisphPressure::find_depth()
   depth_ = static_cast<int>(deepest);
 }
 
-void FixAleisphPressure::impose(double *v)
+void FixAleisphPressure::impose(const aleisph::Field &velocity)
 {
   for (int sweep = 0; sweep < depth_; sweep++) {
-    owner_->ranks().forward(v, 3);
+    owner_->ranks().forward(velocity);
+    double *v = velocity.edit();
     for (std::size_t k = 0; k < buffer_.size(); k++)
       for (int a = 0; a < 3; a++) v[3 * buffer_[k] + a] = v[3 * source_[k] + a];
   }
-  owner_->ranks().forward(v, 3);
+  owner_->ranks().forward(velocity);
 }
 
 int FixAleisphPressure::source(int i) const

@@ -34,7 +34,7 @@ class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
   void setup_pre_force(int) override;
   void pre_force(int) override;
 
-  void impose(double *v) override;
+  void impose(const aleisph::Field &v) override;
   int source(int i) const override;
 
  private:

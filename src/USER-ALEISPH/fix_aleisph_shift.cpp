@@ -176,7 +176,7 @@ double FixAleisphShift::dt_over_d() const
 
 double FixAleisphShift::largest_speed() const
 {
-  const double *v = owner_->velocity();
+  const double *v = owner_->fields().velocity().owned();
   double mine = 0.0;
   for (const int i : owner_->cloud().fluid())
     mine = std::max(
@@ -198,8 +198,9 @@ double FixAleisphShift::velocity_scale()
 void FixAleisphShift::shift()
 {
   auto &cloud = owner_->cloud();
-  double *v = owner_->velocity();
-  owner_->ranks().forward(v, 3);
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const double scale = velocity_scale() * dt_over_d();
@@ -219,7 +220,7 @@ void FixAleisphShift::shift()
   limited_ = count.limited;
   limited_total_ += count.limited;
 
-  double *u = owner_->custom(SHIFT);
+  double *u = owner_->fields().property(SHIFT);
   for (const int i : cloud.fluid())
     for (int a = 0; a < 3; a++) u[3 * i + a] = dr_[3 * i + a] / update->dt;
   owner_->require_finite(dr_.data(), "Fix aleisph/shift", "shift");
@@ -243,10 +244,11 @@ void FixAleisphShift::add_acceleration(double *a)
   for (const int i : cloud.fluid())
     if ((cloud.role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
       rows_.push_back(i);
-  aleisph::velocity_gradient(cloud, rows_, owner_->velocity(), grad_v_.data());
+  aleisph::velocity_gradient(cloud, rows_, owner_->fields().velocity().all(), grad_v_.data());
   owner_->ranks().forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  aleisph::surface_velocity_filter(cloud, rows_, owner_->velocity(), grad_v_.data(), work_.data());
+  aleisph::surface_velocity_filter(cloud, rows_, owner_->fields().velocity().all(), grad_v_.data(),
+                                   work_.data());
   for (const int i : rows_)
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
 }

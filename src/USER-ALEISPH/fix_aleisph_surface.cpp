@@ -106,7 +106,7 @@ void FixAleisphSurface::detect()
   cloud.gradient();    // timed apart
   aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
   count_ = aleisph::detect_surface(cloud, params_);
-  owner_->forward_roles();
+  owner_->ranks().forward_roles(owner_->cloud());
   owner_->ranks().forward(cloud.normal(), 3);
   version_ = cloud.version();
 }
@@ -119,7 +119,7 @@ double FixAleisphSurface::compute_vector(int n)
   switch (n) {
     case 0: return owner_->ranks().sum(count_.surface);
     case 1: return owner_->ranks().sum(count_.ballistic);
-    case 2: return owner_->ranks().sum(owner_->dry_walls());
+    case 2: return owner_->ranks().sum(owner_->tally().dry_walls);
     case 3: return owner_->ranks().sum(owner_->cloud().gradient().clamped());
     default: return owner_->ranks().sum(owner_->tally().surface_rows);
   }

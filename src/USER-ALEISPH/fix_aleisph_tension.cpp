@@ -187,7 +187,7 @@ void FixAleisphTension::rebuild()
   auto &cloud = owner_->cloud();
   if (walls_ && model_->binds_tips()) {
     aleisph::bind_tips(cloud);
-    owner_->forward_roles();
+    owner_->ranks().forward_roles(owner_->cloud());
   }
   if (walls_) evaluate_angles();
   aleisph::CandidateList far = {nullptr, nullptr, NEIGHMASK};
@@ -206,9 +206,9 @@ void FixAleisphTension::find_pressure()
 {
   p_.assign(atom->nlocal, 0.0);
   if (pressure_form_) aleisph::add_capillary_pressure(result(), sigma_, p_.data());
-  const double mu = viscous_ ? owner_->rho0() * owner_->scene().viscosity() : 0.0;
+  const double mu = viscous_ ? owner_->fluid().rho0 * owner_->scene().viscosity() : 0.0;
   if (mu <= 0.0) return;
-  owner_->ranks().forward(owner_->velocity(), 3);
+  owner_->ranks().forward(owner_->fields().velocity());
   find_velocity_gradient(result().rows);
   aleisph::add_viscous_pressure(result(), mu, grad_v_.data(), domain->dimension, p_.data());
 }
@@ -216,7 +216,8 @@ void FixAleisphTension::find_pressure()
 void FixAleisphTension::find_velocity_gradient(const aleisph::Rows &rows)
 {
   grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(owner_->cloud(), rows, owner_->velocity(), grad_v_.data());
+  aleisph::velocity_gradient(owner_->cloud(), rows, owner_->fields().velocity().all(),
+                             grad_v_.data());
 }
 
 // as a force the tension acts on the layer of surface particles
@@ -231,10 +232,10 @@ void FixAleisphTension::add_acceleration(double *a)
 {
   auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
-  const double rate = aleisph::roughness_rate(filter_, sigma_, owner_->rho0(), cloud.spacing(),
-                                              update->dt);
+  const double rate = aleisph::roughness_rate(filter_, sigma_, owner_->fluid().rho0,
+                                              cloud.spacing(), update->dt);
   find_velocity_gradient(cloud.fluid());
-  aleisph::add_roughness(cloud, rate, owner_->velocity(), grad_v_.data(), a);
+  aleisph::add_roughness(cloud, rate, owner_->fields().velocity().all(), grad_v_.data(), a);
 }
 
 void FixAleisphTension::guard_velocity(double *v)
@@ -248,7 +249,7 @@ void FixAleisphTension::guard_velocity(double *v)
 void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
 {
   limits.lower(StepBound::CAPILLARY,
-               aleisph::capillary_limit(owner_->rho0(), owner_->cloud().spacing(), sigma_));
+               aleisph::capillary_limit(owner_->fluid().rho0, owner_->cloud().spacing(), sigma_));
 }
 
 // Another fix has changed the time step during a run. That of fix aleisph/dt keeps the limit.
@@ -259,7 +260,8 @@ void FixAleisphTension::reset_dt()
 
 void FixAleisphTension::check_time_step() const
 {
-  const double limit = aleisph::capillary_limit(owner_->rho0(), owner_->cloud().spacing(), sigma_);
+  const double limit = aleisph::capillary_limit(owner_->fluid().rho0, owner_->cloud().spacing(),
+                                                sigma_);
   const double dt = update->dt, safe = SAFE_SHARE * limit;
   // the messages give the safe step with six digits
   if (dt > limit * (1.0 + 1.0e-5))

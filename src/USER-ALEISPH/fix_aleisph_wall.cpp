@@ -140,7 +140,7 @@ void FixAleisphWall::setup(int)
 // runs, in whatever fix; what the fluid felt in the step before is kept here.
 void FixAleisphWall::end_of_step()
 {
-  double *previous = owner_->previous_wall_velocity();
+  double *previous = owner_->fields().wall_velocity();
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit)
       for (int a = 0; a < 3; a++) previous[3 * i + a] = atom->v[i][a];

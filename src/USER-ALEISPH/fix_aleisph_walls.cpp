@@ -21,7 +21,6 @@ using aleisph::Part;
 using aleisph::Role;
 
 namespace {
-constexpr char WALL_SHAPE[] = "aleisph_n";    // normal and shape
 constexpr int COLUMNS = 4;
 
 bool is_zero(const double *n)
@@ -40,7 +39,7 @@ bool is_zero(const double *n)
 void FixAleisph::restore_walls()
 {
   if (scene_.walls().empty()) return;
-  const double *stored = custom(WALL_SHAPE);
+  const double *stored = fields_->wall_normals();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(cloud_->role()[i] & aleisph::WALL)) continue;
     std::copy(stored + COLUMNS * i, stored + COLUMNS * i + 3, cloud_->normal() + 3 * i);
@@ -66,7 +65,7 @@ void FixAleisph::locate_walls(bool changed)
   aleisph::Timers::Scope scope(timers_, Part::OPERATORS);
   if (changed) {
     find_normals();
-    double *stored = custom(WALL_SHAPE);
+    double *stored = fields_->wall_normals();
     for (int i = 0; i < atom->nlocal; i++) {
       if (!(cloud_->role()[i] & aleisph::WALL)) continue;
       std::copy(cloud_->normal() + 3 * i, cloud_->normal() + 3 * i + 3, stored + COLUMNS * i);
@@ -105,15 +104,7 @@ void FixAleisph::mark_dry_walls()
 {
   if (!scene_.dry_rule()) return;
   aleisph::Timers::Scope scope(timers_, Part::STENCIL);
-  ndry_ = aleisph::mark_dry_walls(atom->x, candidates(), scene_.surface().dry_reach, *cloud_);
-  forward_roles();
-}
-
-void FixAleisph::forward_roles()
-{
-  Role *role = cloud_->role();
-  std::vector<double> bits(role, role + cloud_->size());
-  ranks_->forward(bits.data(), 1);
-  for (int i = atom->nlocal; i < cloud_->size(); i++) role[i] = static_cast<Role>(bits[i]);
-  cloud_->roles_changed();
+  tally_.dry_walls = aleisph::mark_dry_walls(atom->x, candidates(), scene_.surface().dry_reach,
+                                             *cloud_);
+  ranks_->forward_roles(*cloud_);
 }

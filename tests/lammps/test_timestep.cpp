@@ -315,7 +315,7 @@ class FixTension : public LAMMPS_NS::Fix, public aleisph::TimeStepLimit {
   {
     auto *owner = LAMMPS_NS::FixAleisph::find(lmp, "Fix test/tension");
     owner->scene().add_limit(this);
-    limit = aleisph::capillary_limit(owner->rho0(), owner->cloud().spacing(), 10.0);
+    limit = aleisph::capillary_limit(owner->fluid().rho0, owner->cloud().spacing(), 10.0);
   }
   void time_step_limits(StepBounds &limits) const override
   {

@@ -19,8 +19,8 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 PACKAGE = TOP / "src" / "USER-ALEISPH"
 # the owner and what it lends to styles
-OWNER = {"fix_aleisph.h", "aleisph_halo_checks.h", "aleisph_halo_operator.h",
-         "aleisph_halo_solver.h"}
+OWNER = {"fix_aleisph.h", "aleisph_halo_checks.h", "aleisph_halo_fields.h",
+         "aleisph_halo_operator.h", "aleisph_halo_solver.h"}
 LICENCE = "SPDX-License-Identifier: GPL-2.0-only"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STYLE = re.compile(r"^(fix|compute)_.*\.h$")
@@ -39,7 +39,8 @@ def project_files(suffixes):
     """Files of the project, without what is built, run or hidden."""
     skip = {"build", "run", "__pycache__", "results"}
     for folder, folders, names in os.walk(TOP):
-        folders[:] = [f for f in folders if f not in skip and not f.startswith(".")]
+        folders[:] = [f for f in folders
+                      if f not in skip and not f.startswith((".", "build-"))]
         for name in sorted(names):
             if name.endswith(suffixes) or name.startswith("in."):
                 yield Path(folder) / name

@@ -1,0 +1,71 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   The fields that the styles share. Those that must follow a particle to other
+   ranks, places and restart files are custom properties of LAMMPS (fix
+   property/atom), where dump, set and read_data find them, too:
+
+     pressure       d_aleisph_p    [pressure]    ghosts
+     velocity       atom->v        [velocity]    ghosts
+     wall velocity  d2_aleisph_vw  [velocity]    of owned walls at the end of the last step
+     wall normals   d2_aleisph_n   3 components and shape of owned walls, while no wall moves
+   and, of the present positions only:
+     predicted      v*             [velocity]    ghosts
+     row types      what the last pressure equation made of each owned particle
+   Ghosts are stale at the start of each step, for LAMMPS and its other fixes may have changed any
+   of these.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_HALO_FIELDS_H
+#define LMP_ALEISPH_HALO_FIELDS_H
+
+#include "aleisph_fields.h"
+#include "aleisph_ppe.h"
+#include "pointers.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class AleisphFields : protected Pointers {
+ public:
+  explicit AleisphFields(LAMMPS *lmp) : Pointers(lmp) {}
+
+  void add_properties();    // by the owner's post_constructor()
+  void delete_properties();
+
+  // a new step or new positions: nothing is known of ghosts
+  void expire();
+  // new positions of n particles, owned and ghost: v* zero, no row types
+  void reset(int n);
+
+  aleisph::Field pressure();
+  aleisph::Field velocity();
+  aleisph::Field predicted() { return {predicted_.data(), 3, predicted_valid_}; }
+  double *wall_velocity() { return property("aleisph_vw"); }    // 3 per owned particle
+  double *wall_normals() { return property("aleisph_n"); }      // 4 per owned particle
+  // d2_NAME as one array, owned particles; null if there is none
+  double *property(const std::string &name) const;
+
+  // empty before the first assembly of the pressure equation
+  std::vector<aleisph::RowType> &row_types() { return row_types_; }
+
+  // pressure has been solved for, or came from a restart file
+  bool pressure_known() const { return pressure_known_; }
+  void set_pressure_known(bool known) { pressure_known_ = known; }
+
+  double bytes() const;
+
+ private:
+  std::vector<double> predicted_;
+  std::vector<aleisph::RowType> row_types_;
+  bool pressure_valid_ = false, velocity_valid_ = false, predicted_valid_ = false;
+  bool pressure_known_ = false;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
