@@ -5,7 +5,7 @@
 pages      every FixStyle and ComputeStyle has a page with LAMMPS' sections, listed in index.rst
 keywords   every word that a style compares its arguments with stands on its page
 vectors    the page numbers the components of a global vector from 1 to size_vector
-errors     every message of the styles stands on the page Errors_aleisph.rst
+errors     every message of the package stands on the page Errors_aleisph.rst
 readme     README.md names every style and every example; its pictures and links exist
 ascii      the pages are plain ASCII, in lines of at most 100 characters
 Prints what is missing; the exit status is 1 if there is anything.
@@ -105,11 +105,11 @@ def check_vectors():
 
 
 def messages():
-    for name in styles():
-        for literal, before in literals(PACKAGE / f"{name}.cpp"):
+    for source in sorted(PACKAGE.glob("*.cpp")):
+        for literal, before in literals(source):
             raised = re.search(r"error->\w+\(\s*FLERR,\s*$", before)
             if (raised and " " in literal) or MESSAGE.fullmatch(literal):
-                yield name, literal
+                yield source.stem, literal
 
 
 def plain(message):
