@@ -13,10 +13,11 @@ using Vec3 = Eigen::Vector3d;
 void eigenvalue_gradient(const Cloud &cloud, const Rows &rows, const double *lambda, double *N)
 {
   const Stencil &s = cloud.stencil();
+  const GradientWeights &g = cloud.gradient();
   for (const int i : rows) {
     Direction outward;
     for (int k = s.begin(i); k < s.end(i); k++) {
-      const Vec3 g_ij = pair_gradient(s, cloud.gradient(), i, k);
+      const Vec3 g_ij = pair_gradient(s, g, i, k);
       outward.add((lambda[i] - lambda[s.col()[k]]) * g_ij);
     }
     outward.store(N, i);
@@ -27,6 +28,7 @@ CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const d
                                    double factor, double *K)
 {
   const Stencil &s = cloud.stencil();
+  const GradientWeights &g = cloud.gradient();
   CurvatureCount count;
   for (const int i : rows) {
     K[i] = 0.0;
@@ -42,7 +44,7 @@ CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const d
       if (!bound_surface(cloud.role()[j])) continue;
       const Vec3 Nj = at(N, j);
       if (Nj.isZero(0.0)) continue;
-      const Vec3 g_ij = pair_gradient(s, cloud.gradient(), i, k);
+      const Vec3 g_ij = pair_gradient(s, g, i, k);
       kappa += factor * (Nj - Ni).dot(g_ij);
     }
     K[i] = count.limit((cloud.dim() - 1) * kappa, 1.0 / cloud.spacing());
@@ -54,7 +56,8 @@ void PublishedTension::find_normals(const TensionScene &scene)
 {
   double *N = result_.N.data();
   lambda_.assign(result_.K.size(), 0.0);
-  for (const int i : scene.cloud.all()) lambda_[i] = scene.cloud.gradient().lambda(i);
+  const GradientWeights &g = scene.cloud.gradient();
+  for (const int i : scene.cloud.all()) lambda_[i] = g.lambda(i);
   scene.exchange(lambda_.data(), 1);
   eigenvalue_gradient(scene.cloud, result_.rows, lambda_.data(), N);
   result_.undirected = normalise(result_.rows, N);
