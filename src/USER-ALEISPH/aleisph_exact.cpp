@@ -125,8 +125,9 @@ double couette(double y, double t, double H, double U, double nu)
   return U * (s + sum);
 }
 
-Flow2d taylor_green(double x, double y, double t, double L, double U, double rho, double nu)
+Flow2d taylor_green(const Place2d &at, double L, double U, double rho, double nu)
 {
+  const auto [x, y, t] = at;
   const double k = 2.0 * PI / L, f = std::exp(-2.0 * nu * k * k * t);
   return {U * std::sin(k * x) * std::cos(k * y) * f, -U * std::cos(k * x) * std::sin(k * y) * f,
           0.25 * rho * U * U * (std::cos(2.0 * k * x) + std::cos(2.0 * k * y)) * f * f};
@@ -168,9 +169,9 @@ double sinh_ratio(double x, double c)
    sin(kx), the second without pressure. f = f' = 0 at z = +-a gives
    A = -B sin(ma) and tan(ma)/ma = tanh(ka)/ka. |f'| is largest at z = 0.
 ------------------------------------------------------------------------- */
-Flow2d stokes_mode(double x, double y, double t, double Lx, double H, double U, double rho,
-                   double nu)
+Flow2d stokes_mode(const Place2d &at, double Lx, double H, double U, double rho, double nu)
 {
+  const auto [x, y, t] = at;
   const double a = 0.5 * H, z = y - a, k = 2.0 * PI / Lx, c = k * a;
   const double q = stokes_wavenumber(c), m = q / a;
   const double A1 = -std::sin(q);    // for B = 1

@@ -22,16 +22,18 @@ double couette(double y, double t, double H, double U, double nu);
 // Taylor-Green vortices on a square of side L, period L:
 // u = U sin(kx) cos(ky) f, v = -U cos(kx) sin(ky) f, f = exp(-2 nu k^2 t), k = 2 pi/L,
 // p = rho U^2/4 (cos 2kx + cos 2ky) f^2
+struct Place2d {
+  double x, y, t;
+};
 struct Flow2d {
   double u, v, p;
 };
-Flow2d taylor_green(double x, double y, double t, double L, double U, double rho, double nu);
+Flow2d taylor_green(const Place2d &at, double L, double U, double rho, double nu);
 
 // Slowest decaying Stokes mode that is symmetric in u about the mid-plane, in a
 // channel with no-slip walls at y = 0 and y = H, periodic in x with wavelength
 // Lx; amplitude U. The wall pressure is not linear: dp/dn = rho nu n.lap v != 0.
-Flow2d stokes_mode(double x, double y, double t, double Lx, double H, double U, double rho,
-                   double nu);
+Flow2d stokes_mode(const Place2d &at, double Lx, double H, double U, double rho, double nu);
 
 }    // namespace exact
 }    // namespace aleisph

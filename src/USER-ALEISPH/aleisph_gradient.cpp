@@ -154,23 +154,25 @@ std::vector<double> row_floors(int nrows, const Rows &floored, double floor)
   return floors;
 }
 
+enum class Inverse { PLAIN, CLAMPED, SINGULAR };
 struct InverseCount {
   int singular = 0, clamped = 0;
 };
 
 template <int D>
-void store(const Symmetric<D> &M, const Symmetric<D> &L, int l, double lambda, double floor,
-           double *packed, InverseCount &count)
+Inverse store(const Symmetric<D> &M, const Symmetric<D> &L, int l, double lambda, double floor,
+              double *packed)
 {
   if (floor > 0.0 && lambda < floor) {
-    count.clamped++;
     put<D>(floored_inverse<D>(lane<D>(M, l), floor), packed);
-  } else if (lambda >= GradientWeights::MIN_LAMBDA) {
-    put<D>(lane<D>(L, l), packed);
-  } else {
-    count.singular++;
-    std::fill(packed, packed + GradientWeights::PACKED, 0.0);
+    return Inverse::CLAMPED;
   }
+  if (lambda >= GradientWeights::MIN_LAMBDA) {
+    put<D>(lane<D>(L, l), packed);
+    return Inverse::PLAIN;
+  }
+  std::fill(packed, packed + GradientWeights::PACKED, 0.0);
+  return Inverse::SINGULAR;
 }
 
 template <int D>
@@ -190,8 +192,10 @@ InverseCount build_rows(const Stencil &s, double volume, const std::vector<doubl
     for (int l = 0; l < rows; l++) {
       const int i = first + l;
       lambda[i] = smallest[l];
-      store<D>(M, L, l, lambda[i], floors.empty() ? 0.0 : floors[i],
-               inverse + GradientWeights::PACKED * i, count);
+      const Inverse kind = store<D>(M, L, l, lambda[i], floors.empty() ? 0.0 : floors[i],
+                                    inverse + GradientWeights::PACKED * i);
+      count.clamped += kind == Inverse::CLAMPED;
+      count.singular += kind == Inverse::SINGULAR;
     }
   }
   return count;

@@ -69,7 +69,7 @@ const std::map<std::string, Case> &cases()
         [](const double *p) {
           const double L = p[0], U = p[1], rho = p[2], nu = p[3];
           return [=](const double *x, double t, double *out) {
-            store(exact::taylor_green(x[0], x[1], t, L, U, rho, nu), out);
+            store(exact::taylor_green({x[0], x[1], t}, L, U, rho, nu), out);
           };
         }}},
       {"stokes",
@@ -77,7 +77,7 @@ const std::map<std::string, Case> &cases()
         [](const double *p) {
           const double Lx = p[0], H = p[1], U = p[2], rho = p[3], nu = p[4];
           return [=](const double *x, double t, double *out) {
-            store(exact::stokes_mode(x[0], x[1], t, Lx, H, U, rho, nu), out);
+            store(exact::stokes_mode({x[0], x[1], t}, Lx, H, U, rho, nu), out);
           };
         }}},
   };

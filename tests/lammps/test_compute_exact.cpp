@@ -36,11 +36,11 @@ const std::vector<Case> &cases()
        }},
       {"taylor-green 2.0 3.0 4.0 0.05",
        [](double x, double y, double, double t) {
-         const auto f = exact::taylor_green(x, y, t, 2.0, 3.0, 4.0, 0.05);
+         const auto f = exact::taylor_green({x, y, t}, 2.0, 3.0, 4.0, 0.05);
          return Values{f.u, f.v, 0, f.p};
        }},
       {"stokes 1.0 2.0 3.0 4.0 0.05", [](double x, double y, double, double t) {
-         const auto f = exact::stokes_mode(x, y, t, 1.0, 2.0, 3.0, 4.0, 0.05);
+         const auto f = exact::stokes_mode({x, y, t}, 1.0, 2.0, 3.0, 4.0, 0.05);
          return Values{f.u, f.v, 0, f.p};
        }}};
   return all;

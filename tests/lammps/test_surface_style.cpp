@@ -484,11 +484,12 @@ TEST(Surface, CostsNothingElsewhere)
 {
   const auto parts_of = [](const Script &script) {
     Simulation sim(small_channel());
-    sim.run(script.text() + "run 5");
+    sim.run(script.text() + "run 5\nfix_modify sph report now");
     return sim.log();
   };
   Script script = small_script();
   const std::string without = parts_of(script);
+  EXPECT_NE(without.find("ALEISPH time"), std::string::npos);
   for (const char *part : {"  surface ", "  shift "})
     EXPECT_EQ(without.find(part), std::string::npos) << part;
   script.surface = "fix surf fluid aleisph/surface";

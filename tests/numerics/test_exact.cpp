@@ -99,12 +99,12 @@ TEST(Exact, TaylorGreenTable)
   for (const auto &row : table) {
     const double nu = 1.0 / row[0], t = row[1];
     // |u| is largest at x = L/4, y = 0; eight digits are printed
-    EXPECT_NEAR(taylor_green(0.25, 0.0, t, 1.0, 1.0, 1.0, nu).u, row[2], 1.0e-7 * row[2]);
+    EXPECT_NEAR(taylor_green({0.25, 0.0, t}, 1.0, 1.0, 1.0, nu).u, row[2], 1.0e-7 * row[2]);
     double energy = 0.0;
     const int n = 16;    // trapezoidal sums of trigonometric polynomials are exact
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) {
-        const Flow2d f = taylor_green(double(i) / n, double(j) / n, t, 1.0, 1.0, 1.0, nu);
+        const Flow2d f = taylor_green({double(i) / n, double(j) / n, t}, 1.0, 1.0, 1.0, nu);
         energy += 0.5 * (f.u * f.u + f.v * f.v) / (n * n);
       }
     EXPECT_NEAR(energy / 0.25, row[3], 1.0e-7 * row[3]);
@@ -209,7 +209,7 @@ TEST(Exact, TaylorGreenSolvesNavierStokes)
     for (double y : {0.3, 1.1})
       for (double t : {0.0, 0.4}) {
         const auto at = [&](double a, double b, double s) {
-          return taylor_green(a, b, s, L, U, rho, nu);
+          return taylor_green({a, b, s}, L, U, rho, nu);
         };
         const Flow2d f = at(x, y, t);
         const auto in_x = [&](double Flow2d::*q) {
@@ -238,7 +238,7 @@ TEST(Exact, StokesModeSolvesStokes)
     const double H = 1.0, U = 2.0, rho = 3.0, nu = 0.5;
     const double e = 2.0e-3 * std::min(1.0, Lx);
     const auto at = [&](double a, double b, double s) {
-      return stokes_mode(a, b, s, Lx, H, U, rho, nu);
+      return stokes_mode({a, b, s}, Lx, H, U, rho, nu);
     };
     const double rate = -first([&](double s) { return at(0.0, 0.5, s).u; }, 0.0, 1.0e-4) / U;
     for (double x : {0.0, 0.15 * Lx, 0.6 * Lx})
@@ -270,7 +270,9 @@ TEST(Exact, StokesModeBoundaryParityAmplitude)
 {
   for (double Lx : {0.01, 0.4, 1.0, 3.0, 20.0, 1.0e3}) {
     const double H = 1.0, U = 2.0;
-    const auto at = [&](double x, double y) { return stokes_mode(x, y, 0.0, Lx, H, U, 1.0, 1.0); };
+    const auto at = [&](double x, double y) {
+      return stokes_mode({x, y, 0.0}, Lx, H, U, 1.0, 1.0);
+    };
     double largest = 0.0;
     for (int i = 0; i <= 20; i++)
       for (int j = 0; j <= 200; j++) {
@@ -296,7 +298,7 @@ TEST(Exact, StokesModeBoundaryParityAmplitude)
 TEST(Exact, StokesModeLongWaveRate)
 {
   const double q = 4.493409457909064, nu = 1.0, Lx = 1.0e5;
-  const double t = 0.01, ratio = stokes_mode(0.0, 0.5, t, Lx, 1.0, 1.0, 1.0, nu).u;
+  const double t = 0.01, ratio = stokes_mode({0.0, 0.5, t}, Lx, 1.0, 1.0, 1.0, nu).u;
   EXPECT_NEAR(-std::log(ratio) / t, 4.0 * q * q * nu, 1.0e-6);
 }
 
@@ -306,9 +308,11 @@ TEST(Exact, StokesModeWallPressureGradient)
   const double e = 1.0e-3;
   double largest = 0.0;
   for (double x : {0.1, 0.25, 0.6})
-    largest = std::max(
-        largest,
-        std::fabs(first([x](double y) { return stokes_mode(x, y, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0).p; },
-                        0.0, e)));
+    largest = std::max(largest,
+                       std::fabs(first(
+                           [x](double y) {
+                             return stokes_mode({x, y, 0.0}, 1.0, 1.0, 1.0, 1.0, 1.0).p;
+                           },
+                           0.0, e)));
   EXPECT_GT(largest, 1.0);
 }
