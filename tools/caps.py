@@ -14,21 +14,29 @@ z = 0 (3d), the fluid above it.
 pendant: a drop under a ceiling at z = 0, next to the Young-Laplace drop of the same volume; height
 from a paraboloid through the surface within 3 d of the axis, radius and angle at the ceiling from
 lines through the surface within 4 d of it.
-  verdict   falls: a tenth of the fluid is deeper than any drop in equilibrium reaches; hangs: it is
-            not, and the fluid is at rest; else moves
+  verdict   explodes: more kinetic energy than gravity and surface tension can have set free, or a
+            tenth of the fluid above the ceiling, far out to the side or not finite; falls: it does
+            not, and a tenth of the fluid is deeper than any drop in equilibrium reaches; hangs: not
+            that, either, and the fluid is at rest; else moves
 The volume is N d^dim and half a cell for each spot of the wall that is wet: the first particles are
 one spacing above the wall particles.
+What cannot be measured, in a drop that has flown apart, has value=nan; stderr says why.
 --print FILE: result lines as LAMMPS commands. --outline FILE: the exact outline, for render.py.
 """
 
 import argparse
 import math
+import sys
 from pathlib import Path
 
 import pendant
-from series import print_command
+from dumps import finite_rows, last_snapshot, need_columns, need_time
+from series import attempt, mean, print_command
 
+NEEDED = {"sessile": ("x", "y", "z", "surface", "d_aleisph_p"),    # columns
+          "pendant": ("x", "y", "z", "vx", "vy", "vz", "surface", "nx", "ny", "nz")}
 REACH = 2.2        # no hanging drop is longer, in capillary lengths, at contact angles above 30 deg
+ASIDE = 2.0        # from the axis, in edges of a cube of the drop's volume: 1.3 wets a cap of 30 deg
 REST = 0.02        # rms velocity of a fluid at rest, over sqrt(sigma/(rho d_drop))
 
 
@@ -36,17 +44,12 @@ REST = 0.02        # rms velocity of a fluid at rest, over sqrt(sigma/(rho d_dro
 
 def last_frame(path):
     """(time, [length of the box or None where it is not periodic], rows) of the last snapshot."""
-    text = Path(path).read_text(encoding="ascii")
-    lines = text[text.rindex("ITEM: TIME\n"):].splitlines()    # dump_modify time yes
-    time = float(lines[1])
-    bounds = next(k for k, line in enumerate(lines) if line.startswith("ITEM: BOX BOUNDS"))
-    lengths = [None, None, None]
-    for axis, kind in enumerate(lines[bounds].split()[-3:]):
-        low, high = map(float, lines[bounds + 1 + axis].split()[:2])
-        lengths[axis] = high - low if kind == "pp" else None
-    start = next(k for k, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
-    names = lines[start].split()[2:]
-    return time, lengths, [dict(zip(names, map(float, line.split()))) for line in lines[start + 1:]]
+    snapshot = last_snapshot(path)
+    time = need_time(snapshot, path)
+    need_columns(snapshot.names, ("type", "surface", *"xyz"), path)
+    lengths = [high - low if periodic else None
+               for (low, high), periodic in zip(snapshot.bounds, snapshot.periodic)]
+    return time, lengths, snapshot.dicts()
 
 
 def joined(rows, lengths):
@@ -89,6 +92,8 @@ def least_squares(lines, values):
 
 def fit_sphere(points):
     """(centre, radius) of the circle or sphere with the smallest sum of squared distances."""
+    if len(points) < 4:
+        raise ValueError(f"{len(points)} points of the surface")
     dim, origin = len(points[0]), [sum(c) / len(points) for c in zip(*points)]
     local = [[a - b for a, b in zip(point, origin)] for point in points]
     start = least_squares([[2.0 * a for a in q] + [1.0] for q in local],
@@ -147,21 +152,24 @@ def other(case, quantity, time, angle, *words):
                           f"angle={angle:g}"])
 
 
-def sessile(rows, time, options):
-    """Result lines, and the outline of the exact cap over the fitted centre."""
-    dim, d, degrees = options.dim, options.d, options.angle
-    axes = "xy" if dim == 2 else "xyz"
-    up = axes[-1]
-    angle = math.radians(degrees)
+def fitted_cap(rows, options):
+    """(centre, radius, residuals, strays) of the circle or sphere half a spacing outside the surface."""
+    axes = "xyz"[:options.dim]
     surface = [[row[a] for a in axes] for row in rows
-               if row["surface"] and row[up] > options.above * d]
-    centre, radius, errors, strays = fit_surface(surface, d)
-    radius += 0.5 * d
+               if row["surface"] and row[axes[-1]] > options.above * options.d]
+    centre, radius, errors, strays = fit_surface(surface, options.d)
+    return centre, radius + 0.5 * options.d, errors, strays
+
+
+def cap_lines(rows, time, options, exact):
+    """Result lines of the fitted circle or sphere, and the outline of the exact cap over it."""
+    axes, d, degrees = "xyz"[:options.dim], options.d, options.angle
+    angle = math.radians(degrees)
+    centre, radius, errors, strays = fitted_cap(rows, options)
     cosine = max(-1.0, min(1.0, -centre[-1] / radius))
-    exact = exact_cap(len(rows), d, angle, dim)
-    top = max(row[up] for row in rows if math.dist([row[a] for a in axes], centre) < radius + d)
-    inner = [row["d_aleisph_p"] for row in rows if not row["surface"]]
-    rms = math.sqrt(sum(e * e for e in errors) / len(errors)) / d
+    top = max(row[axes[-1]] for row in rows
+              if math.dist([row[a] for a in axes], centre) < radius + d)
+    rms = math.sqrt(mean([e * e for e in errors])) / d
 
     def line(quantity, value, reference):
         return against("sessile-drop", quantity, time, degrees, value, reference)
@@ -169,7 +177,6 @@ def sessile(rows, time, options):
     lines = [line("angle", math.degrees(math.acos(cosine)), degrees),
              line("height", top + 0.5 * d, exact * (1.0 - math.cos(angle))),
              line("radius", radius * math.sqrt(1.0 - cosine**2), exact * math.sin(angle)),
-             line("p", sum(inner) / len(inner), (dim - 1) * options.sigma / exact),
              other("sessile-drop", "shape", time, degrees, f"l2={rms:.4f}",
                    f"linf={max(map(abs, errors)) / d:.4f}"),
              other("sessile-drop", "stray", time, degrees, f"value={strays}", "reference=0")]
@@ -177,6 +184,26 @@ def sessile(rows, time, options):
     outline = [(centre[0] + exact * math.sin(t), exact * (math.cos(t) - math.cos(angle)))
                for t in turns]
     return lines, outline
+
+
+def sessile(rows, time, options, _lost=0):
+    """Result lines, and the outline of the exact cap over the fitted centre."""
+    exact = exact_cap(len(rows), options.d, math.radians(options.angle), options.dim)
+    outline = []
+
+    def cap():
+        lines, points = cap_lines(rows, time, options, exact)
+        outline.extend(points)
+        return lines
+
+    def failed(quantity, value):
+        return other("sessile-drop", quantity, time, options.angle, value)
+
+    lines = attempt(["angle", "height", "radius", "shape", "stray"], cap, failed)
+    inner = mean([row["d_aleisph_p"] for row in rows if not row["surface"]])
+    pressure = against("sessile-drop", "p", time, options.angle, inner,
+                       (options.dim - 1) * options.sigma / exact)
+    return lines[:3] + [pressure] + lines[3:], outline
 
 
 def ceiling_line(rows, d, axis):
@@ -209,44 +236,80 @@ def apex_depth(rows, d, axis):
     return least_squares(lines, values)[0]
 
 
-def verdict(rows, time, options, length):
-    """falls, hangs or moves (see above), and the rms velocity in units of the drop."""
-    count = options.copies * len(rows)
-    size = (count * options.d**3)**(1.0 / 3.0)
+def explodes(rows, lost, options, size):
+    """Whether the drop has flown apart (see above).
+
+    The fluid starts at rest below the ceiling, z = 0. So gravity has set free at most g times the
+    mean depth, and surface tension at most the energy of the surface at the start, for which twice
+    that of a cube is taken, 12 sigma size^2: a sheet half as thick as a cube of its volume.
+    """
+    count = len(rows)
+    square = sum(row["vx"]**2 + row["vy"]**2 + row["vz"]**2 for row in rows) / count
+    depth = max(0.0, -sum(row["z"] for row in rows) / count)
+    free = options.g * depth + 12.0 * options.sigma / (options.rho * size)
+    middle = drop_axis(rows, options)
+    astray = lost + sum(row["z"] > options.d or math.dist((row["x"], row["y"]), middle) > ASIDE * size
+                        for row in rows)
+    return 0.5 * square > free or astray > 0.1 * (count + lost)
+
+
+def drop_axis(rows, options):
+    """(x, y): the median, which few particles that fly away do not move."""
+    if options.copies > 1:
+        return 0.0, 0.0
+    return tuple(sorted(row[a] for row in rows)[len(rows) // 2] for a in "xy")
+
+
+def verdict(rows, time, options, length, lost=0):
+    """explodes, falls, hangs or moves (see above), and the rms velocity in units of the drop."""
+    if not rows:
+        return "explodes", math.nan
+    size = (options.copies * (len(rows) + lost) * options.d**3)**(1.0 / 3.0)
     unit = math.sqrt(options.sigma / (options.rho * size))
     speed = math.sqrt(sum(row["vx"]**2 + row["vy"]**2 + row["vz"]**2 for row in rows) / len(rows))
+    if explodes(rows, lost, options, size):
+        return "explodes", speed / unit
     deep = sum(-row["z"] > REACH * length for row in rows)
     if deep > 0.1 * len(rows):
         return "falls", speed / unit
     return ("hangs" if speed < REST * unit else "moves"), speed / unit
 
 
-def hanging(rows, time, options):
-    """Result lines, and the outline of the exact drop if there is one."""
-    d, degrees = options.d, options.angle
-    length = math.sqrt(options.sigma / (options.rho * options.g))
-    count = options.copies * len(rows)
-    axis = (0.0, 0.0) if options.copies > 1 else tuple(
-        sum(row[a] for row in rows) / len(rows) for a in "xy")
-    word, speed = verdict(rows, time, options, length)
-    case = "hanging-drop"
-    lines = [other(case, "verdict", time, degrees, f"value={word}"),
-             other(case, "speed", time, degrees, f"value={speed:.4g}")]
+def drop_lines(rows, time, options, length):
+    """Result lines of a drop that hangs or moves, and the outline of the exact one if there is one."""
+    d, degrees, case = options.d, options.angle, "hanging-drop"
+    axis = (0.0, 0.0) if options.copies > 1 else tuple(mean([row[a] for row in rows]) for a in "xy")
     radius, angle = ceiling_line(rows, d, axis)
-    if word == "falls" or radius is None:
-        return lines, []
-    volume = count * d**3 + 0.5 * d * wet(radius, 3)
-    lines.append(other(case, "volume", time, degrees, f"value={volume:.6g}"))
+    if radius is None:
+        return [], []
+    volume = options.copies * len(rows) * d**3 + 0.5 * d * wet(radius, 3)
+    lines = [other(case, "volume", time, degrees, f"value={volume:.6g}")]
     exact = pendant.equilibrium(volume / length**3, degrees)
     height = apex_depth(rows, d, axis)
     if exact is None:
-        lines.append(other(case, "height", time, degrees, f"value={height:.6g}"))
-        return lines, []
+        return lines + [other(case, "height", time, degrees, f"value={height:.6g}")], []
     lines += [against(case, "height", time, degrees, height, exact.height * length),
               against(case, "radius", time, degrees, radius, exact.contact_radius * length),
               against(case, "angle", time, degrees, angle, degrees)]
     half = [(r * length, (z - exact.height) * length) for r, z in exact.points[::20]]
     return lines, [(axis[0] - r, z) for r, z in reversed(half)] + [(axis[0] + r, z) for r, z in half]
+
+
+def hanging(rows, time, options, lost=0):
+    """Result lines, and the outline of the exact drop if there is one."""
+    length = math.sqrt(options.sigma / (options.rho * options.g))
+    word, speed = verdict(rows, time, options, length, lost)
+    lines = [other("hanging-drop", "verdict", time, options.angle, f"value={word}"),
+             other("hanging-drop", "speed", time, options.angle, f"value={speed:.4g}")]
+    outline = []
+    if word in ("hangs", "moves"):
+        def shape():
+            more, points = drop_lines(rows, time, options, length)
+            outline.extend(points)
+            return more
+        lines += attempt(["height", "radius", "angle"], shape, lambda name, value: other(
+            "hanging-drop", name, time, options.angle, value))
+    return lines, outline
 
 
 def parse():
@@ -272,8 +335,13 @@ def parse():
 def main():
     options = parse()
     time, lengths, rows = last_frame(options.dump)
-    rows = joined([row for row in rows if row["type"] == options.fluid], lengths)
-    lines, outline = (sessile if options.kind == "sessile" else hanging)(rows, time, options)
+    fluid = [row for row in rows if row["type"] == options.fluid]
+    if not fluid:
+        sys.exit(f"{options.dump} has no particle of type {options.fluid}")
+    needed = [name for name in fluid[0] if name in NEEDED[options.kind]]
+    rows = joined(finite_rows(fluid, needed, options.dump), lengths)
+    measure = sessile if options.kind == "sessile" else hanging
+    lines, outline = measure(rows, time, options, len(fluid) - len(rows))
     if options.commands:
         Path(options.commands).write_text("".join(lines), encoding="ascii")
     else:

@@ -9,7 +9,7 @@ python3-matplotlib).
 import sys
 from pathlib import Path
 
-from series import read_series, read_table
+from series import pyplot, read_series, read_table
 
 REFERENCE = Path(__file__).resolve().parents[1] / "tests" / "reference"
 SETS = {"table": "ks", "pysph_a2.25in": "k+", "pysph_a1.125in": "kx"}
@@ -25,9 +25,7 @@ def draw_experiment(axes):
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
+    plt = pyplot()
     figure, (front, energy) = plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
     draw_experiment(front)
     for path in sys.argv[2:]:

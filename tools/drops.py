@@ -26,50 +26,41 @@ the amplitude of the mode n = 2, of a file of fix ave/time, and adds
   frequency, damping    of that mode, in that unit of time; reference: linear theory with all of
               viscosity (oscillation.py); l2: relative error; leading: to leading order
               in nu, omega^2 = 6 and gamma = 4 nu/R^2 in 2d, 8 and 5 nu/R^2 in 3d
-Standard library only.
+What cannot be measured, in a drop that has flown apart, has value=nan; stderr says why. Standard
+library only.
 """
 
 import argparse
 import itertools
 import math
+import sys
 from pathlib import Path
 
 import oscillation
-from series import print_command, read_series
+from dumps import finite_rows, need_columns, snapshots
+from series import attempt, mean, print_command, read_series
 from star import Star, dot
 
 H_OVER_D = 1.2    # kernel of the density: cubic spline, whatever the run uses
 SAMPLE = 400      # particles whose density is summed
 ENOUGH = 800      # surface particles for an outline of which there are many
+ENERGY = ("time", "kinetic", "surface", "energy", "volume", "r_min", "r_max", "inner")
 INNER = 0.6    # surface particles deeper than this below the outline are not of the outer layer
 DEEP = 3.0     # where the pressure is taken, below the surface, in spacings
 
 
-def frames(path):
-    """(time, names of columns, lines) of every snapshot of a text dump with times."""
-    with open(path, encoding="ascii") as lines:
-        time = 0.0
-        for line in lines:
-            if line.startswith("ITEM: TIME\n"):
-                time = float(next(lines))
-            elif line.startswith("ITEM: NUMBER"):
-                count = int(next(lines))
-            elif line.startswith("ITEM: ATOMS"):
-                yield time, line.split()[2:], [next(lines) for _ in range(count)]
-
-
-def numbers(names, lines):
-    """{column: list of numbers}"""
-    rows = [map(float, line.split()) for line in lines]
-    return dict(zip(names, map(list, zip(*rows))))
+def frames(path, dim):
+    """(time, {column: list of numbers}) of every snapshot of a dump."""
+    needed = ["surface", "d_aleisph_p", *"xyz"[:dim]]
+    needed += [a + b for a in "nv" for b in "xyz"[:dim]]
+    for snapshot in snapshots(path):
+        need_columns(snapshot.names, needed, path)
+        rows = finite_rows(snapshot.dicts(), needed, f"{path}, step {snapshot.step}")
+        yield snapshot.time or 0.0, {name: [row[name] for row in rows] for name in needed}
 
 
 def vectors(columns, names):
     return list(zip(*(columns[name] for name in names)))
-
-
-def mean(values):
-    return sum(values) / len(values)
 
 
 def size(vector):
@@ -119,6 +110,7 @@ class Drop:
     def __init__(self, columns, dim, d):
         self.dim, self.d = dim, d
         self.columns = columns
+        self.outlines = {}    # those fitted so far
         self.volume = len(columns["x"]) * d**dim
         self.R = sphere_radius(self.volume, dim)
         x = vectors(columns, "xyz"[:dim])
@@ -138,7 +130,9 @@ class Drop:
 
     def outline(self, star, every=1):
         """(coefficients, number of inner particles), from every so many surface particles"""
-        return star.fit(self.surface()[::every], INNER * self.d)
+        if every not in self.outlines:
+            self.outlines[every] = star.fit(self.surface()[::every], INNER * self.d)
+        return self.outlines[every]
 
     def density(self, nearest):
         """Mean numerical density of some particles deeper than 3 d."""
@@ -184,7 +178,26 @@ def energy_row(time, drop, star, rho, sigma):
             "r_min": min(radii) / drop.R, "r_max": max(radii) / drop.R, "inner": inner}
 
 
+def energy_rows(frames_of_dump, options):
+    """A row for every frame whose outline can be found, the last drop, and its harmonics."""
+    rows, star, drop = [], None, None
+    for time, columns in frames_of_dump:
+        drop = Drop(columns, options.dim, options.d)
+        if options.energy:
+            try:
+                star = star or star_for(drop)
+                rows.append(energy_row(time, drop, star, options.rho, options.sigma))
+            except (ArithmeticError, ValueError) as problem:
+                print(f"no energy at time {time:g}: {problem}", file=sys.stderr)
+                rows.append({**dict.fromkeys(ENERGY, math.nan), "time": time})
+    return rows, star, drop
+
+
 def largest_rise(values):
+    """Of those that could be measured."""
+    values = [value for value in values if math.isfinite(value)]
+    if not values:
+        return math.nan
     lowest, rise = values[0], 0.0
     for value in values:
         lowest = min(lowest, value)
@@ -198,20 +211,37 @@ def line(options, quantity, *more):
 
 
 def result_lines(drop, star, options):
-    fit, inner = drop.outline(star)
+    def make(name, *more):
+        return line(options, name, *more)
+
     if not options.only:
-        yield from flow_lines(drop, min(star.radii(fit)), options)
-    yield from shape_lines(drop, inner, options)
+        yield from attempt(["p"], lambda: pressure_lines(drop, nearest(drop, star), options), make)
+        yield from attempt(["velocity"], lambda: velocity_lines(drop, options), make)
+    yield from attempt(["sphericity"], lambda: shape_lines(drop, drop.outline(star)[1], options),
+                       make)
+    yield from attempt(["volume"], lambda: volume_lines(drop, star, options), make)
+
+
+def nearest(drop, star):
+    """Distance of the outline from the centre."""
+    return min(star.radii(drop.outline(star)[0]))
+
+
+def volume_lines(drop, star, options):
+    fit, _ = drop.outline(star)
     volume = 1.0 / drop.density(min(star.radii(fit)))
     yield line(options, "volume", f"value={volume:.5f}", "reference=1",
                f"outline={star.measures(fit)[0] / drop.volume:.5f}", f"layer={drop.layer():.3f}")
 
 
-def flow_lines(drop, nearest, options):
+def pressure_lines(drop, distance, options):
     p_exact = (drop.dim - 1) * options.sigma / drop.R
-    p, count = drop.pressure(nearest)
+    p, count = drop.pressure(distance)
     yield line(options, "p", f"value={p:.6g}", f"reference={p_exact:.6g}",
                f"l2={abs(p / p_exact - 1):.3e}", f"deep={count}")
+
+
+def velocity_lines(drop, options):
     scale = math.sqrt(options.sigma / (options.rho * drop.R))
     yield line(options, "velocity", f"value={max(drop.speeds()) / scale:.5f}", "reference=0")
 
@@ -241,8 +271,8 @@ def mode_lines(drop, options):
 
 
 def write_series(path, rows):
-    lines = ["# " + " ".join(rows[0])]
-    lines += [" ".join(f"{value:.8g}" for value in row.values()) for row in rows]
+    lines = ["# " + " ".join(ENERGY)]
+    lines += [" ".join(f"{row[name]:.8g}" for name in ENERGY) for row in rows]
     Path(path).write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
@@ -266,22 +296,16 @@ def parse():
 
 def main():
     options = parse()
-    rows, star = [], None
-    for time, names, lines in frames(options.dump):
-        if options.energy:
-            drop = Drop(numbers(names, lines), options.dim, options.d)
-            star = star or star_for(drop)
-            rows.append(energy_row(time, drop, star, options.rho, options.sigma))
-    if not options.energy:
-        drop = Drop(numbers(names, lines), options.dim, options.d)
-        star = star_for(drop)
+    rows, star, drop = energy_rows(frames(options.dump, options.dim), options)
+    star = star or star_for(drop)
     lines = list(result_lines(drop, star, options))
     if rows:
         energies = [row["energy"] for row in rows]
         lines.append(line(options, "energy", f"value={energies[-1]:.5f}", "reference=1",
                           f"rise={largest_rise(energies):.2e}"))
     if options.mode:
-        lines += mode_lines(drop, options)
+        lines += attempt(["frequency", "damping"], lambda: mode_lines(drop, options),
+                         lambda name, *more: line(options, name, *more))
     if options.series:
         write_series(options.series, rows)
     if options.output:

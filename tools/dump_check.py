@@ -73,10 +73,10 @@ def compare_frame(frame, reference, tolerances):
 
 def compare(dump, reference, tolerances):
     """(report as text, whether all is good); the arguments are paths."""
-    frames = {frame.step: frame for frame in read_frames(dump)}
+    frames = {frame.step: frame for frame in read_frames(dump, strict=True)}
     table = read_tolerances(tolerances)
     report, good = [], True
-    for stored in read_frames(reference):
+    for stored in read_frames(reference, strict=True):
         if stored.step not in frames:
             report.append(f"step {stored.step} is not in the dump, which has {sorted(frames)}")
             good = False

@@ -20,7 +20,7 @@ import argparse
 import cmath
 import math
 
-from series import read_series
+from series import pyplot, read_series
 from star import dot, least_squares
 
 
@@ -78,6 +78,8 @@ def viscous(dim, n, nu):
 def misfit(omega, gamma, times, values):
     """Sum of squares that the best exp(-gamma t) (a cos omega t + b sin omega t) + c + e t leaves.
     The mean drifts by 1e-3 R as the particles of a drop, in 3d above all, find their places."""
+    if -gamma * times[-1] > 300.0:    # growth that no run shows, near the end of what exp() can
+        return math.inf
     decay = [math.exp(-gamma * t) for t in times]
     columns = [[e * math.cos(omega * t) for e, t in zip(decay, times)],
                [e * math.sin(omega * t) for e, t in zip(decay, times)], [1.0] * len(times), times]
@@ -92,6 +94,8 @@ def fit(times, values, omega, gamma):
     Search over the neighbors of a point in the plane, with steps that are halved when none is
     better.
     """
+    if len(times) < 6 or not all(map(math.isfinite, values)):
+        raise ValueError("the series of the amplitude has fewer than six values, or some not finite")
     step = [0.1 * omega, 0.1 * omega]
     point = [omega, gamma]
     least = misfit(*point, times, values)
@@ -110,9 +114,7 @@ def fit(times, values, omega, gamma):
 
 
 def plot(picture, paths, dim, nu):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
+    plt = pyplot()
     omega, gamma = viscous(dim, 2, nu)
     figure, axes = plt.subplots(figsize=(7, 3.6), constrained_layout=True)
     for path in paths:

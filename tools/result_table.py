@@ -13,9 +13,14 @@ HEADINGS = {"l2": "L2 error", "linf": "Linf error", "N": "particles", "time": "t
 
 
 def read_results(path):
-    """The result lines of a log, in order, each as a dict of strings."""
+    """The result lines of a log, in order, each as a dict of strings. One that the end of the file
+    cuts may lack digits: it is left out, and stderr says so."""
     with open(path, errors="replace") as log:
-        rows = [line.split()[1:] for line in log if line.startswith(MARK)]
+        lines = [line for line in log if line.startswith(MARK)]
+    if lines and not lines[-1].endswith("\n"):
+        print(f"{path}: the last result line is cut and is left out", file=sys.stderr)
+        lines.pop()
+    rows = [line.split()[1:] for line in lines]
     return [dict(item.split("=", 1) for item in row if "=" in item) for row in rows]
 
 

@@ -3,21 +3,44 @@
 scripts which an input file starts run with any Python."""
 
 import csv
+import math
+import sys
 from bisect import bisect_left
 
 
+def numbers(line, count):
+    """Those of a line that is whole, else None: a killed run may leave half of one."""
+    words = line.split()
+    if len(words) != count or not line.endswith("\n"):
+        return None
+    try:
+        return list(map(float, words))
+    except ValueError:
+        return None
+
+
 def read_series(path):
-    """{name: list of numbers} of a file of fix ave/time (mode scalar), v_ and c_ removed."""
+    """{name: list of numbers} of a file of fix ave/time (mode scalar), v_ and c_ removed. A line
+    that is cut is left out, and named on stderr."""
     names, rows = [], []
-    with open(path, encoding="ascii") as lines:
-        for line in lines:
+    with open(path, encoding="ascii", errors="replace") as lines:
+        for count, line in enumerate(lines, 1):
             if line.startswith("# TimeStep"):
                 names = [word.removeprefix("v_").removeprefix("c_") for word in line.split()[1:]]
             elif not line.startswith("#"):
-                rows.append([float(word) for word in line.split()])
+                row = numbers(line, len(names))
+                if row is None:
+                    print(f"{path}: line {count} is not whole and is left out", file=sys.stderr)
+                else:
+                    rows.append(row)
     if not rows:
         raise ValueError(f"{path} holds no values")
     return dict(zip(names, map(list, zip(*rows))))
+
+
+def mean(values):
+    """nan if there are none."""
+    return sum(values) / len(values) if values else math.nan
 
 
 def read_table(path):
@@ -64,3 +87,25 @@ def first_above(threshold, times, values):
 def print_command(words):
     """A LAMMPS command that prints a result line, with what the input file has in ${tail}."""
     return f'print "ALEISPH-RESULT {" ".join(words)} ${{tail}}"\n'
+
+
+def attempt(what, work, line):
+    """The lines that work() gives; where it cannot measure - a scene that has flown apart, a run
+    that was too short - lines with value=nan for these quantities, and the reason on stderr."""
+    try:
+        return list(work())
+    except (ArithmeticError, ValueError) as problem:
+        print(f"no value for {', '.join(what)}: {problem}", file=sys.stderr)
+        return [line(name, "value=nan") for name in what]
+
+
+def pyplot():
+    """matplotlib's, for pictures without a window."""
+    try:
+        import matplotlib
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+    except ImportError as problem:
+        sys.exit(f"pictures need {problem.name} for {sys.executable}; "
+                 "Debian: apt-get install python3-matplotlib")
+    return plt

@@ -23,7 +23,7 @@ the run, relative to the root mean square and to the largest elevation of the th
 import argparse
 import math
 
-from series import print_command, read_series
+from series import attempt, print_command, pyplot, read_series
 
 MODES = 200    # the last terms are A (4/pi)(w/w_1)^2 n^-2 = 1e-5 A
 
@@ -48,19 +48,23 @@ def differences(series, tank):
 
 
 def result_lines(series, tank):
-    for name, (theory, run) in differences(series, tank).items():
+    def line(name, *more):
+        return print_command(["case=sloshing", f"quantity={name}",
+                              f"time={series['t'][-1]:.4g}", *more])
+
+    def measure(name, theory, run):
         error = [a - b for a, b in zip(run, theory)]
         l2 = math.sqrt(sum(e * e for e in error) / sum(e * e for e in theory))
         largest = max(map(abs, theory))
-        yield print_command(["case=sloshing", f"quantity={name}", f"time={series['t'][-1]:.4g}",
-                             f"l2={l2:.4g}", f"linf={max(map(abs, error)) / largest:.4g}",
-                             f"value={max(map(abs, run)):.4g}", f"reference={largest:.4g}"])
+        return [line(name, f"l2={l2:.4g}", f"linf={max(map(abs, error)) / largest:.4g}",
+                     f"value={max(map(abs, run)):.4g}", f"reference={largest:.4g}")]
+
+    for name, (theory, run) in differences(series, tank).items():
+        yield from attempt([name], lambda n=name, a=theory, b=run: measure(n, a, b), line)
 
 
 def draw(path, series, tank):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
+    plt = pyplot()
     figure, panels = plt.subplots(2, 1, figsize=(9, 6), sharex=True, constrained_layout=True)
     names = {"eta0": "left end", "etaL": "right end"}
     for axes, (name, (theory, run)) in zip(panels, differences(series, tank).items()):

@@ -72,6 +72,8 @@ def directions(dim):
 def solve(matrix, right):
     """Gauss elimination of a positive definite system."""
     n = len(right)
+    if not all(math.isfinite(a) for row in matrix for a in row):
+        raise ValueError("points that are not finite")
     rows = [row[:] + [b] for row, b in zip(matrix, right)]
     for k in range(n):
         for i in range(k + 1, n):
@@ -114,6 +116,8 @@ class Star:
     def fit(self, points, depth):
         """Coefficients of the outline through points relative to its centre, and how many of them
         are left out, since they are deeper than this below the outline through all."""
+        if len(points) < len(self.values[0]):
+            raise ValueError(f"{len(points)} points do not determine an outline")
         rows = [self.at(unit(p)) for p in points]
         radii = [math.sqrt(dot(p, p)) for p in points]
         fit = least_squares(list(zip(*rows)), radii)
@@ -127,6 +131,8 @@ class Star:
 
     def measures(self, fit):
         """(volume, area); in 2d (area, perimeter)."""
+        if not min(self.radii(fit)) > 0.0:
+            raise ValueError("the surface is no outline around its centre; the drop flew apart")
         whole = 2.0 * (self.dim - 1) * math.pi / len(self.values)    # angle of each direction
         volume = area = 0.0
         for r, slopes in zip(self.radii(fit), self.slopes):

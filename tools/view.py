@@ -7,16 +7,17 @@ grey (--solid) or left out (--hidden). Needs numpy and matplotlib (Debian: pytho
 """
 
 import argparse
+import sys
 
-import matplotlib
-import numpy as np
-from matplotlib.collections import EllipseCollection
+from series import pyplot
 
-from dumps import read_frames
-from render import LABELS, field, save
+plt = pyplot()    # it says what is missing, so before the others
+import matplotlib  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.collections import EllipseCollection  # noqa: E402
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+from dumps import finite, need_time, read_frames, warn  # noqa: E402
+from render import LABELS, field, limits_without_strays, outside, save, selected  # noqa: E402
 
 
 def axes_of_view(azimuth, elevation):
@@ -29,8 +30,11 @@ def axes_of_view(azimuth, elevation):
 
 def frame_outline(axes, frame, view, margin):
     """Edges of the floor and of the box around all particles that are drawn or hidden."""
-    low = np.array([frame[a].min() for a in "xyz"])
-    high = np.array([frame[a].max() for a in "xyz"])
+    limits = [limits_without_strays(frame[a]) for a in "xyz"]
+    low, high = np.array(limits).T
+    beyond = sum(outside(frame[a], pair) for a, pair in zip("xyz", limits))
+    if beyond:
+        warn(f"step {frame.step}: {beyond} particles lie outside of the frame")
     corners = np.array([[i, j] for i in (0, 1) for j in (0, 1)])
     for axis in range(3):
         for pair in corners:
@@ -38,9 +42,12 @@ def frame_outline(axes, frame, view, margin):
             line = np.array([low + (high - low) * end for end in ends]) @ np.array(view[:2]).T
             axes.plot(*line.T, color="0.6", linewidth=0.6, zorder=0)
     axes.margins(margin)
+    axes.autoscale_view()
+    axes.set_autoscale_on(False)    # the particles do not change what is seen
 
 
 def draw(figure, axes, frame, options, limits):
+    frame = selected(frame, finite(frame, ["x", "y", "z"], f"step {frame.step}"))
     shown = ~np.isin(frame["type"], options.hidden)
     solid = np.isin(frame["type"], options.solid)[shown]
     place = np.column_stack([frame[a][shown] for a in "xyz"])
@@ -76,9 +83,12 @@ def parse():
     return parser.parse_args()
 
 
-def main():
-    options = parse()
+def draw_all(options):
+    if not options.limits[0] < options.limits[1]:
+        raise ValueError("--limits LOW HIGH: LOW must be below HIGH")
     frames = read_frames(options.dump)
+    for frame in frames:
+        need_time(frame, options.dump)
     chosen = frames[-1:] if not options.times else [
         min(frames, key=lambda frame, t=t: abs(frame.time - t)) for t in options.times]
     rows = (len(chosen) + 1) // 2
@@ -93,6 +103,13 @@ def main():
     figure.colorbar(scale, ax=panels, orientation="vertical", shrink=0.6,
                     label=LABELS.get(options.field, options.field))
     save(figure, options.picture)
+
+
+def main():
+    try:
+        draw_all(parse())
+    except (OSError, ValueError) as problem:
+        sys.exit(f"view.py: {problem}")
 
 
 if __name__ == "__main__":

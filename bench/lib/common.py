@@ -7,8 +7,13 @@ import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
+
+import dumps  # noqa: E402  (found in tools)
 
 RESULT = "ALEISPH-RESULT"
 
@@ -115,12 +120,8 @@ def number_or_text(word):
 
 
 def read_dump(path):
-    """Rows of a text dump with one snapshot."""
-    with open(path, encoding="ascii") as dump:
-        for line in dump:
-            if line.startswith("ITEM: ATOMS"):
-                break
-        return np.loadtxt(dump, ndmin=2)
+    """Rows of the last snapshot of a text dump."""
+    return np.array(dumps.last_snapshot(path).rows)
 
 
 # ---------------------------------------------------------------- plane Poiseuille start-up

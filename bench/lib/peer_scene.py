@@ -36,7 +36,8 @@ def run(case, setup, script, variables, snapshot, moments, error, folder):
 
 
 def snapshot_error(path, error, step):
-    if not path.exists():
+    try:
+        columns = common.read_dump(path).T
+    except (OSError, ValueError):    # a run that failed has none, or a part of one
         return None
-    columns = common.read_dump(path).T
     return error(columns, step) if np.all(np.isfinite(columns)) else None

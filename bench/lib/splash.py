@@ -24,15 +24,9 @@ def run(n, folder):
     """Positions and velocities of the fluid; n spacings across the column."""
     variables = {"d": COLUMN / n, "Tend": TIME, "every": TIME}
     common.run_lammps(scene.EXAMPLES / "dam-break/in.dam-break", variables, folder)
-    rows = last_frame(folder / "dump.dam-break")
+    rows = common.read_dump(folder / "dump.dam-break")
     fluid = rows[rows[:, 1] == 1]
     return fluid[:, 2:4], fluid[:, 5:7]
-
-
-def last_frame(path):
-    text = path.read_text(encoding="ascii")
-    body = text[text.rindex("ITEM: ATOMS"):].splitlines()[1:]
-    return np.array([line.split() for line in body], dtype=float)
 
 
 def offsets(reach, m):

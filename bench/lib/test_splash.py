@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+import common
 import splash
 
 
@@ -87,9 +88,10 @@ class Files(unittest.TestCase):
     def test_last_frame(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "dump"
-            frames = "ITEM: ATOMS id x\n1 2\nITEM: TIMESTEP\n1\nITEM: ATOMS id x\n1 3\n2 4\n"
+            frames = ("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x\n1 2\n"
+                      "ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n2\nITEM: ATOMS id x\n1 3\n2 4\n")
             path.write_text(frames, encoding="ascii")
-            np.testing.assert_array_equal(splash.last_frame(path), [[1, 3], [2, 4]])
+            np.testing.assert_array_equal(common.read_dump(path), [[1, 3], [2, 4]])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import common
+import dumps    # found by common
 import scene
 import shape
 
@@ -142,16 +143,14 @@ def script(one):
 
 
 def frames(path):
-    """Snapshots of a dump as dicts of columns; one that is not complete is left out."""
+    """Snapshots of a dump; one that is not whole is left out, and all if there is none."""
     if not path.exists():
         return
-    for block in path.read_text(encoding="ascii").split("ITEM: TIMESTEP\n")[1:]:
-        head, _, body = block.partition("ITEM: ATOMS ")
-        count = int(re.search(r"NUMBER OF ATOMS\n(\d+)", head)[1]) if body else -1
-        names, *rows = body.splitlines() or [""]
-        rows = rows[:max(0, count)]  # "ITEM: TIME" of the next one follows
-        if len(rows) == count:
-            yield dict(zip(names.split(), np.array([r.split() for r in rows], dtype=float).T))
+    try:
+        for snapshot in dumps.snapshots(path):
+            yield dumps.as_frame(snapshot)
+    except ValueError as problem:
+        print(problem, file=sys.stderr)
 
 
 def shapes(one, path):
@@ -180,8 +179,8 @@ def flat_shapes(one, text, series):
 def read_series(path):
     """step, t, E/E0, surface, ballistic, shifts cut, iterations, guards; the last line may be a
     part of one."""
-    rows = [line.split() for line in path.read_text(encoding="ascii").splitlines()
-            if line[:1].isdigit()] if path.exists() else []
+    lines = path.read_text(encoding="ascii").splitlines(keepends=True) if path.exists() else []
+    rows = [line.split() for line in lines if line[:1].isdigit() and line.endswith("\n")]
     rows = [row for row in rows if len(row) == len(rows[0])]
     return np.array(rows, dtype=float) if rows else np.full((1, 7), np.nan)
 

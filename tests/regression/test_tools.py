@@ -16,6 +16,8 @@ import numpy as np
 import dump_check
 import profiles
 import render
+import series
+from PIL import Image
 from dumps import read_frames
 from example import HERE, TOP
 
@@ -137,6 +139,87 @@ class Render(unittest.TestCase):
     def test_unknown_option_is_refused(self):
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
             self.draw("poiseuille", "--no-such-option")
+
+    def test_particles_that_coincide_in_projection(self):
+        """In the plane z = 0 of the pipe, seen along z, pairs of particles lie on each other; the
+        discs are as large as the spacing all the same, and stderr has their number."""
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            self.draw("poiseuille", "--fields", "vx", "--axes", "xy", "--slice", "z=0")
+        self.assertIn("15 of 90 particles lie on others", said.getvalue())
+        colors = np.asarray(Image.open("poiseuille.png").convert("RGB")).astype(int)
+        # neither white, grey nor black: 60 of 75 places in this panel, a disc covers pi/4 of a cell
+        self.assertGreater(np.mean(np.ptp(colors, axis=2) > 30), 0.1)
+
+
+class Strays(unittest.TestCase):
+    """A picture of 400 particles on a lattice, u = x, to which some are added."""
+
+    def draw(self, *more):
+        """(stderr, limits of the colors, of x)"""
+        grid = [(0.1 * i, 0.1 * j, 0.1 * i) for i in range(20) for j in range(20)]
+        lines = [f"{k} 1 {x} {y} 0 {u} 0 0" for k, (x, y, u) in enumerate(grid + list(more), 1)]
+        Path("stray.dump").write_text("\n".join(
+            ["ITEM: TIMESTEP", "0", "ITEM: NUMBER OF ATOMS", str(len(lines)),
+             "ITEM: BOX BOUNDS pp pp pp", "0 2", "0 2", "0 2", "ITEM: ATOMS id type x y z vx vy vz",
+             *lines, ""]))
+        figure = render.plt.figure()
+        axes = figure.subplots()
+        with mock.patch("sys.argv", ["render.py", "stray.dump", "stray.png"]), \
+                contextlib.redirect_stderr(io.StringIO()) as said:
+            render.draw_field(figure, axes, read_frames("stray.dump")[0], "vx", render.parse())
+        colors = axes.collections[-1].get_clim()
+        render.plt.close(figure)
+        return said.getvalue(), colors, axes.get_xlim()
+
+    def test_none(self):
+        said, colors, x = self.draw()
+        self.assertEqual(said, "")
+        np.testing.assert_allclose(colors, (0.0, 1.9))
+        np.testing.assert_allclose(x, (-0.1, 2.0))
+
+    def test_a_value_far_off_does_not_change_the_colors(self):
+        for value in (1e9, -1e9):
+            said, colors, _ = self.draw((0.95, 0.95, value))
+            np.testing.assert_allclose(colors, (0.0, 1.9))
+            self.assertIn("1 of 401 values lie outside of the colors, 0 to 1.9", said)
+
+    def test_a_particle_far_off_does_not_change_the_axes(self):
+        said, colors, x = self.draw((1e6, 0.5, 0.5))
+        np.testing.assert_allclose(x, (-0.1, 2.0))
+        self.assertIn("1 of 401 particles lie outside of the picture", said)
+
+    def test_not_a_number(self):
+        said, colors, x = self.draw((0.95, 0.95, "nan"), ("nan", 0.5, 0.5))
+        np.testing.assert_allclose(colors, (0.0, 1.9))
+        self.assertIn("2 of 402 particles have values that are not finite", said)
+
+    def test_near_values_count(self):
+        """What is no farther off than the others are apart: a jet, spray."""
+        said, colors, _ = self.draw((0.95, 0.95, 3.6))
+        np.testing.assert_allclose(colors, (0.0, 3.6))
+        self.assertEqual(said, "")
+
+    def test_few_values(self):
+        for values in ([1.0], [1.0, 5.0], [2.0] * 9 + [3.0]):
+            self.assertEqual(render.limits_without_strays(np.array(values)), (min(values), max(values)))
+
+
+class Missing(unittest.TestCase):
+    def test_what_is_missing_is_named(self):
+        with mock.patch.dict("sys.modules", {"matplotlib": None}), \
+                self.assertRaisesRegex(SystemExit, "need matplotlib for .*python3-matplotlib"):
+            series.pyplot()
+
+    def test_errors_are_one_line(self):
+        for words, text in (
+                (["--frame", "7"], "there is no snapshot 7: the dump has 1"),
+                (["--fields", "vz7"], "no column vz7; it has id type"),
+                (["--slice", "z=9"], "no fluid particle is near the plane z=9"),
+                (["--walls", "1", "2", "3", "4"], "all particles are walls")):
+            dump = str(HERE / "reference" / "poiseuille.dump.gz")
+            with mock.patch("sys.argv", ["render.py", dump, "error.png", *words]), \
+                    self.assertRaisesRegex(SystemExit, text):
+                render.main()
 
 
 if __name__ == "__main__":
