@@ -74,7 +74,7 @@ def refresh(example):
 
 
 def main():
-    names = sys.argv[1:] or sorted(path.parent.name for path in EXAMPLES.glob("*/in.*"))
+    names = sys.argv[1:] or sorted({path.parent.name for path in EXAMPLES.glob("*/in.*")})
     for name in names:
         if not (EXAMPLES / name / f"in.{name}").exists():
             sys.exit(f"there is no example {name}\n\n{__doc__}")

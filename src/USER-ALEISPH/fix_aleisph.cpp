@@ -52,6 +52,10 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
   cloud_ = std::make_unique<aleisph::Cloud>(kernel, spacing_, timers_);
   ranks_ = std::make_unique<aleisph::Ranks>(world, timers_);
   fields_ = std::make_unique<AleisphFields>(lmp);
+
+  set_masses();
+  set_skin();
+  set_sorting();
 }
 
 FixAleisph::~FixAleisph()

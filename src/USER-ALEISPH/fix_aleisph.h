@@ -104,6 +104,9 @@ class FixAleisph : public Fix {
 
   void parse(int narg, char **arg);
   void read_fluid_file(const char *filename);
+  void set_masses();
+  void set_skin();
+  void set_sorting();
   void assign_roles();
   bool positions_changed();
   aleisph::CandidateList candidates() const;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -36,6 +37,11 @@ constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
 constexpr double RATE_FULL = 2.0;
+
+double dot(const double *a, const double *b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 }    // namespace
 
@@ -91,9 +97,12 @@ void FixAleisphShift::parse(int narg, char **arg)
     } else if (key == "velocity") {
       velocity_ = -1.0;
       variable_.clear();
+      scale_.clear();
       if (utils::strmatch(value, "^v_"))
         variable_ = value.substr(2);
-      else if (value != "max")
+      else if (value == "max" || value == "head")
+        scale_ = value;
+      else
         velocity_ = positive();
     } else if (key == "surface") {
       if (value != "full" && value != "positive")
@@ -176,18 +185,48 @@ double FixAleisphShift::dt_over_d() const
 
 double FixAleisphShift::largest_speed() const
 {
+  return std::sqrt(owner_->ranks().max(largest_head(nullptr)));
+}
+
+// The velocity that the fluid has, or would have after it has fallen to its lowest point: for
+// gravity g, the largest sqrt(v^2 + 2 g h). The lowest particle is one spacing above the floor, as
+// particles on a lattice are.
+double FixAleisphShift::head() const
+{
+  const auto &ranks = owner_->ranks();
+  const auto &fluid = owner_->cloud().fluid();
+  double mean[4] = {0.0, 0.0, 0.0, static_cast<double>(fluid.size())};    // of the force
+  for (const int i : fluid)
+    for (int a = 0; a < 3; a++) mean[a] += atom->f[i][a];
+  ranks.sum(4, mean);
+  if (mean[3] == 0.0) return 0.0;
+  double g[3];
+  for (int a = 0; a < 3; a++) g[a] = mean[a] / (mean[3] * owner_->particle_mass());
+
+  double lowest = -std::numeric_limits<double>::max();
+  for (const int i : fluid) lowest = std::max(lowest, dot(g, atom->x[i]));
+  const double floor = ranks.max(lowest) + std::sqrt(dot(g, g)) * owner_->cloud().spacing();
+  return std::sqrt(std::max(0.0, ranks.max(largest_head(g)) + 2.0 * floor));
+}
+
+// of this rank: max (v^2 - 2 g.x); g: null for none
+double FixAleisphShift::largest_head(const double *g) const
+{
+  double largest = g ? -std::numeric_limits<double>::max() : 0.0;
   const double *v = owner_->fields().velocity().owned();
-  double mine = 0.0;
   for (const int i : owner_->cloud().fluid())
-    mine = std::max(
-        mine, v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2]);
-  return std::sqrt(owner_->ranks().max(mine));
+    largest = std::max(largest, dot(v + 3 * i, v + 3 * i) - (g ? 2.0 * dot(g, atom->x[i]) : 0.0));
+  return largest;
 }
 
 // U
 double FixAleisphShift::velocity_scale()
 {
-  if (variable_.empty()) return velocity_ >= 0.0 ? velocity_ : largest_speed();
+  if (velocity_ >= 0.0) return velocity_;
+  if (variable_.empty()) {
+    const bool falls = scale_.empty() ? owner_->scene().surface().present : scale_ == "head";
+    return falls ? head() : largest_speed();
+  }
   const double value = input->variable->compute_equal(input->variable->find(variable_.c_str()));
   if (!(value >= 0.0) || !std::isfinite(value))
     error->all(FLERR, "Fix aleisph/shift: variable {} must not be negative, it is {} at step {}",

@@ -47,6 +47,8 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   void shift();
   double velocity_scale();
   double largest_speed() const;
+  double head() const;
+  double largest_head(const double *g) const;
   double rate() const;
   double per_step(double rate) { return rate * velocity_scale() * dt_over_d(); }
   double dt_over_d() const;
@@ -56,6 +58,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double smoothing_, filter_;    // rates, < 0: the variant's own
   double velocity_;              // U if given as a number
   std::string variable_;         // or its name
+  std::string scale_;            // or max or head; empty: not given
   FixAleisph *owner_;
   bool started_;    // d2_aleisph_u has been set, now or before a restart
   double coefficient_, limited_total_;

@@ -153,6 +153,77 @@ TEST(Shift, VelocityMax)
   }
 }
 
+namespace {
+
+// U of particles with a free surface: column 1 of fix shift over its rate
+double scale(const Simulation &sim, const Scene &scene, double dt)
+{
+  return sim.fix("shift", 1) / 0.3 * scene.d / dt;
+}
+
+}    // namespace
+
+// sqrt(2 g H) at rest, with the depth H that the particles have: n spacings. The default.
+TEST(Shift, VelocityHead)
+{
+  constexpr double G = 3.0, DT = 1.0e-4;
+  for (const int dimension : {2, 3})
+    for (const char *words : {"", " velocity head"}) {
+      SCOPED_TRACE(words);
+      const Scene scene = open_tank(dimension, 6);
+      Script script = free_script(scene, std::string("density") + words);
+      script.body = fmt::format("fix g all gravity {} vector 0 0 -1", G);
+      if (dimension == 2) script.body = fmt::format("fix g all gravity {} vector 0 -1 0", G);
+      script.timestep = fmt::format("timestep {}", DT);
+      Simulation sim(scene);
+      sim.run(script.text() + "run 0");
+      const auto height = sim.x(dimension - 1);
+      double low = 1.0e9, high = -1.0e9;
+      const auto type = sim.type();
+      for (std::size_t i = 0; i < height.size(); i++)
+        if (type[i] == Scene::FLUID) {
+          low = std::min(low, height[i]);
+          high = std::max(high, height[i]);
+        }
+      EXPECT_NEAR(scale(sim, scene, DT), std::sqrt(2.0 * G * (high - low + scene.d)), 1.0e-9);
+    }
+}
+
+// what moves has its velocity besides
+TEST(Shift, VelocityHeadOfMovingFluid)
+{
+  constexpr double DT = 1.0e-4;
+  const Scene scene = patch(8);
+  Script script = free_script(scene, "density");
+  script.timestep = fmt::format("timestep {}", DT);
+  Simulation sim(scene);
+  sim.run(script.text() + "variable w atom -0.7*x\nvelocity all set 0 v_w 0\nrun 0");
+  const double fastest = largest(norms(sim.v(0), sim.v(1)));
+  EXPECT_NEAR(scale(sim, scene, DT), fastest, 1.0e-9);    // no force
+
+  // as high as they are above the lowest ones, and one spacing
+  sim.run("unfix shift\nunfix ppe\nunfix pred\nfix g all gravity 2.0 vector -1 0 0\n" +
+          script.predictor + "\n" + script.ppe + "\n" + script.shift + "\nrun 0");
+  const auto vx = sim.v(0), vy = sim.v(1), x = sim.x(0);
+  double low = 1.0e9, head = 0.0;
+  for (const double place : x) low = std::min(low, place);
+  for (std::size_t i = 0; i < x.size(); i++)
+    head = std::max(head, vx[i] * vx[i] + vy[i] * vy[i] + 4.0 * (x[i] - low + scene.d));
+  EXPECT_NEAR(scale(sim, scene, DT), std::sqrt(head), 1.0e-9);
+}
+
+// in closed flow a body force drives, and nothing falls
+TEST(Shift, VelocityWithoutSurfaceIsTheLargest)
+{
+  const Scene scene = periodic_square(10);
+  Simulation sim(scene);
+  Script script = shifted_script(scene, "density");
+  script.body = "fix g all gravity 5.0 vector 1 0 0";
+  script.timestep = "timestep 1.0e-4";
+  sim.run(script.text() + "run 0");
+  EXPECT_EQ(sim.fix("shift", 1), 0.0);
+}
+
 TEST(Shift, VelocityOfAVariable)
 {
   Simulation sim(disorder());
