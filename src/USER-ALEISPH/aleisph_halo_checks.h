@@ -13,6 +13,9 @@
 
 #include "pointers.h"
 
+#include <utility>
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class FixAleisph;
@@ -23,21 +26,34 @@ class AleisphChecks : protected Pointers {
 
   // the commands of the script, at the start of each run; errors are those of all ranks
   void script() const;
-  // the particles, when a run starts
-  void atoms() const;
-  // The roles of the particles, at each new instant: of this rank the ID of an atom for each
-  // fault, 0 if there is none; then, with the largest of all ranks, the error.
-  static constexpr int ROLE_FAULTS = 3;
-  void find_wrong_roles(long long *atoms) const;
-  void refuse_roles(const long long *atoms) const;
+  // what can be told only when all fixes are known
+  void setup();
+  // particles have moved, and LAMMPS has not looked how far
+  void refuse_late_lists() const;
+
+  // Faults of particles, at each new instant: of this rank the ID of an atom for each of them, 0 if
+  // there is none; then, with the largest of all ranks, the error. fresh: the neighbor lists are new,
+  // so that there may be new particles.
+  static constexpr int FAULTS = 8;
+  void find_faults(bool fresh, long long *atoms) const;
+  void refuse(const long long *atoms) const;
 
  private:
+  enum Fault { NOT_FINITE, OUT_OF_PLANE, MASS, SPECIAL, NO_ROLE, TWO_ROLES, BUFFER, CONTRADICTION };
+
   void integrator() const;
   void neighbors() const;
+  void box() const;
   void companions() const;
   void fix_order() const;
+  bool late_lists() const;
+  void find_contradictions();
+  void check_arrival(int i, long long *atoms) const;
+  bool loses_neighbors(int i) const;
+  void refuse_contradiction(long long code) const;
 
   FixAleisph &owner_;
+  std::vector<std::pair<int, int>> contradictions_;    // claims of the scene, by their numbers
 };
 
 }    // namespace LAMMPS_NS

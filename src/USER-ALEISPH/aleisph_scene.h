@@ -28,6 +28,7 @@
 #include "aleisph_stencil.h"
 #include "aleisph_timestep.h"
 
+#include <string>
 #include <vector>
 
 namespace aleisph {
@@ -127,12 +128,22 @@ struct RoleGroup {
   int groupbit;    // of LAMMPS: particles whose mask has it
 };
 
+// What a fix prescribes for the particles of a group. Two different values of the same thing on one
+// particle contradict each other.
+struct Claim {
+  std::string fix;      // who says so, as messages name it
+  std::string what;     // "condition", "velocity", ...
+  std::string value;    // as the script gives it
+  int groupbit;
+};
+
 // One run's: at the start of the next one it is emptied, and the fixes sign up again.
 class Scene {
  public:
   void clear() { *this = Scene(); }
 
   void add_role(Role role, int groupbit) { roles_.push_back({role, groupbit}); }
+  void add_claim(const Claim &claim) { claims_.push_back(claim); }
   void add_condition(VelocityCondition *condition) { conditions_.push_back(condition); }
   void add_walls(NormalFinder *walls) { walls_.push_back(walls); }
   void add_acceleration(Acceleration *term) { accelerations_.push_back(term); }
@@ -150,6 +161,7 @@ class Scene {
   }
 
   const std::vector<RoleGroup> &roles() const { return roles_; }
+  const std::vector<Claim> &claims() const { return claims_; }
   const std::vector<VelocityCondition *> &conditions() const { return conditions_; }
   const std::vector<NormalFinder *> &walls() const { return walls_; }
   const std::vector<Acceleration *> &accelerations() const { return accelerations_; }
@@ -172,6 +184,7 @@ class Scene {
 
  private:
   std::vector<RoleGroup> roles_;
+  std::vector<Claim> claims_;
   std::vector<VelocityCondition *> conditions_;
   std::vector<NormalFinder *> walls_;
   std::vector<Acceleration *> accelerations_;

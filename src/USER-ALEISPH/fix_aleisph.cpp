@@ -11,6 +11,7 @@
 #include "domain.h"
 #include "error.h"
 #include "group.h"
+#include "input.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neigh_request.h"
@@ -179,8 +180,15 @@ void FixAleisph::init()
   checks_.script();
   reach_ = 0.0;
   require_reach(cloud_->kernel().support());
-  neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(cloud_->kernel().support());
+  request_list(this, cloud_->kernel().support());
   begin_report();
+}
+
+// rerun calls init() for every frame, and looks at the requests only once
+void FixAleisph::request_list(Fix *fix, double cutoff) const
+{
+  if (!neighbor->find_request(fix))
+    neighbor->add_request(fix, NeighConst::REQ_FULL)->set_cutoff(cutoff);
 }
 
 void FixAleisph::init_list(int, NeighList *list)
@@ -206,7 +214,9 @@ void FixAleisph::require_reach(double reach)
 
 void FixAleisph::setup_pre_force(int)
 {
-  checks_.atoms();
+  checks_.setup();
+  // each frame of a rerun is another instant, without the pressure of the one before
+  if (strcmp(input->command, "rerun") == 0) fields_->set_pressure_known(false);
   build_halo();
   rebuild();
 }
@@ -216,7 +226,9 @@ void FixAleisph::pre_force(int)
   fields_->expire();
   const bool reneighbored = neighbor->ago == 0;
   if (reneighbored) build_halo();
-  if (reneighbored || positions_changed()) rebuild();
+  if (!reneighbored && !positions_changed()) return;
+  if (!reneighbored) checks_.refuse_late_lists();
+  rebuild();
 }
 
 // of the stencil: images of a particle are one column
@@ -239,12 +251,12 @@ void FixAleisph::rebuild()
   const int n = cloud_->size();
   fields_->reset(n);
   restore_walls();
-  constexpr int FAULTS = AleisphChecks::ROLE_FAULTS;
+  constexpr int FAULTS = AleisphChecks::FAULTS;
   long long found[FAULTS + 1] = {};
-  checks_.find_wrong_roles(found);
+  checks_.find_faults(neighbor->ago == 0, found);
   found[FAULTS] = walls_changed();
   ranks_->largest(FAULTS + 1, found);
-  checks_.refuse_roles(found);
+  checks_.refuse(found);
   locate_walls(found[FAULTS]);
   mark_dry_walls();
   cloud_->update(atom->x, candidates(), scene_.dry_rule());

@@ -77,6 +77,8 @@ class FixAleisph : public Fix {
   aleisph::Scene &scene() { return scene_; }
   // neighbours up to this distance are asked for: ghosts must reach as far
   void require_reach(double reach);
+  // a full neighbor list of this cutoff, for the run that begins
+  void request_list(Fix *fix, double cutoff) const;
 
   // -- parameters
   const aleisph::FluidProperties &fluid() const { return fluid_; }

@@ -7,12 +7,14 @@
 #include "aleisph_halo_checks.h"
 
 #include "atom.h"
+#include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_aleisph.h"
 #include "group.h"
 #include "modify.h"
+#include "molecule.h"
 #include "neighbor.h"
 #include "update.h"
 #include "utils.h"
@@ -50,6 +52,7 @@ void AleisphChecks::script() const
 {
   integrator();
   neighbors();
+  box();
   companions();
   fix_order();
 }
@@ -75,7 +78,49 @@ void AleisphChecks::neighbors() const
     error->all(FLERR,
                "Fix aleisph cannot be used with neigh_modify exclude: particles would miss "
                "neighbors; remove the exclusion");
+  if (neighbor->includegroup)
+    error->all(FLERR,
+               "Fix aleisph cannot be used with neigh_modify include {}: particles would miss "
+               "neighbors; use neigh_modify include all",
+               group->names[neighbor->includegroup]);
   if (comm->mode != Comm::SINGLE) error->all(FLERR, "Fix aleisph needs comm_modify mode single");
+  // bins of multi are made for the cutoffs of pair styles: of which there may be none
+  if (neighbor->style != Neighbor::BIN && neighbor->style != Neighbor::NSQ)
+    error->all(FLERR, "Fix aleisph needs neighbor style bin or nsq: use neighbor {} bin",
+               neighbor->skin);
+}
+
+// The box may follow the particles, and ranks may share it anew. If it changes under them, their
+// volumes or their images do.
+void AleisphChecks::box() const
+{
+  for (const Fix *fix : modify->get_fix_list())
+    if (fix->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE))
+      error->all(FLERR,
+                 "Fix aleisph cannot be used with fix {} ({}), which changes the box during a run: "
+                 "the volume of particles is constant; unfix it, or use change_box between runs",
+                 fix->id, fix->style);
+}
+
+void AleisphChecks::setup()
+{
+  if (owner_.scene().moving()) refuse_late_lists();
+  find_contradictions();
+}
+
+// Whether particles can move by more than half the skin before LAMMPS looks
+bool AleisphChecks::late_lists() const
+{
+  return neighbor->build_once || neighbor->delay > 1 || neighbor->every > 1;
+}
+
+void AleisphChecks::refuse_late_lists() const
+{
+  if (late_lists())
+    error->all(FLERR,
+               "Fix aleisph: with neigh_modify every {} delay {} once {} particles can come near "
+               "each other unnoticed; use neigh_modify every 1 delay 0 once no",
+               neighbor->every, neighbor->delay, neighbor->build_once ? "yes" : "no");
 }
 
 void AleisphChecks::companions() const
@@ -106,52 +151,109 @@ void AleisphChecks::fix_order() const
   }
 }
 
-// the ID of an atom of this rank, if there is one, for each of three faults
-void AleisphChecks::find_wrong_roles(long long *atoms) const
+/* ---------------------------------------------------------------------- */
+
+void AleisphChecks::find_contradictions()
 {
+  contradictions_.clear();
+  const auto &claims = owner_.scene().claims();
+  const int n = static_cast<int>(claims.size());
+  for (int a = 0; a < n; a++)
+    for (int b = a + 1; b < n; b++)
+      if (claims[a].what == claims[b].what && claims[a].value != claims[b].value)
+        contradictions_.emplace_back(a, b);
+}
+
+void AleisphChecks::find_faults(bool fresh, long long *atoms) const
+{
+  const Role *role = owner_.cloud().role();
   const int *mask = atom->mask;
   for (int i = 0; i < atom->nlocal; i++) {
-    const Role r = owner_.cloud().role()[i];
+    const Role r = role[i];
     if (!(mask[i] & owner_.groupbit) || !(r & (aleisph::FLUID | aleisph::WALL)))
-      atoms[0] = atom->tag[i];
-    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER))) atoms[1] = atom->tag[i];
-    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) atoms[2] = atom->tag[i];
+      atoms[NO_ROLE] = atom->tag[i];
+    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER)))
+      atoms[TWO_ROLES] = atom->tag[i];
+    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) atoms[BUFFER] = atom->tag[i];
+    if (fresh) check_arrival(i, atoms);
+  }
+  const auto &claims = owner_.scene().claims();
+  const auto pairs = static_cast<long long>(contradictions_.size());
+  for (long long k = 0; k < pairs; k++) {
+    const int first = claims[contradictions_[k].first].groupbit;
+    const int second = claims[contradictions_[k].second].groupbit;
+    // the atom and the pair in one number
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((mask[i] & first) && (mask[i] & second)) atoms[CONTRADICTION] = atom->tag[i] * pairs + k;
   }
 }
 
-void AleisphChecks::refuse_roles(const long long *atoms) const
+void AleisphChecks::check_arrival(int i, long long *atoms) const
 {
-  if (atoms[0])
-    error->all(FLERR,
-               "Fix aleisph: atom {} is neither fluid (group of fix aleisph/predictor) nor wall "
-               "(group of fix aleisph/wall), or not in group {}",
-               atoms[0], group->names[owner_.igroup]);
-  if (atoms[1]) error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", atoms[1]);
-  if (atoms[2])
-    error->all(FLERR, "Fix aleisph: buffer atom {} is not in the group of its fix aleisph/pressure",
-               atoms[2]);
-}
-
-void AleisphChecks::atoms() const
-{
-  tagint nan = 0, plane = 0, heavy = 0;
+  const double *const x = atom->x[i], *const v = atom->v[i];
+  for (int a = 0; a < 3; a++)
+    if (!std::isfinite(x[a]) || !std::isfinite(v[a])) atoms[NOT_FINITE] = atom->tag[i];
+  if (domain->dimension == 2 && v[2] != 0.0) atoms[OUT_OF_PLANE] = atom->tag[i];
+  const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
   const double m = owner_.particle_mass();
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *const x = atom->x[i], *const v = atom->v[i];
-    for (int a = 0; a < 3; a++)
-      if (!std::isfinite(x[a]) || !std::isfinite(v[a])) nan = atom->tag[i];
-    if (domain->dimension == 2 && v[2] != 0.0) plane = atom->tag[i];
-    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-    if (std::fabs(mass - m) > MASS_TOLERANCE * m) heavy = atom->tag[i];
-  }
-  if ((nan = owner_.ranks().largest(nan)))
-    error->all(FLERR, "Fix aleisph: position or velocity of atom {} is not finite", nan);
-  if ((plane = owner_.ranks().largest(plane)))
+  if (!(std::fabs(mass - m) <= MASS_TOLERANCE * m)) atoms[MASS] = atom->tag[i];
+  if (atom->molecular != Atom::ATOMIC && loses_neighbors(i)) atoms[SPECIAL] = atom->tag[i];
+}
+
+// LAMMPS leaves bonded pairs with zero special_bonds weights out of all neighbor lists
+bool AleisphChecks::loses_neighbors(int i) const
+{
+  const int *count = nullptr;    // of partners at one, two and three bonds, each with those before
+  if (atom->molecular == Atom::MOLECULAR)
+    count = atom->nspecial[i];
+  else if (atom->molindex[i] >= 0)
+    count = atom->avec->onemols[atom->molindex[i]]->nspecial[atom->molatom[i]];
+  if (!count) return false;
+  for (int k = 0; k < 3; k++)
+    if (neighbor->special_flag[k + 1] == 0 && count[k] > (k ? count[k - 1] : 0)) return true;
+  return false;
+}
+
+void AleisphChecks::refuse(const long long *atoms) const
+{
+  if (atoms[NOT_FINITE])
+    error->all(FLERR, "Fix aleisph: position or velocity of atom {} is not finite at step {}",
+               atoms[NOT_FINITE], update->ntimestep);
+  if (atoms[OUT_OF_PLANE])
     error->all(FLERR,
                "Fix aleisph: atom {} has a velocity in z in a 2d simulation; use velocity set or "
                "fix enforce2d",
-               plane);
-  if ((heavy = owner_.ranks().largest(heavy)))
-    error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}", heavy,
-               domain->dimension, m);
+               atoms[OUT_OF_PLANE]);
+  if (atoms[MASS])
+    error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}",
+               atoms[MASS], domain->dimension, owner_.particle_mass());
+  if (atoms[SPECIAL])
+    error->all(FLERR,
+               "Fix aleisph: special_bonds removes neighbors of atom {}, which has bonds; use "
+               "special_bonds lj/coul 1 1 1, or weights of 1.0e-50",
+               atoms[SPECIAL]);
+  if (atoms[NO_ROLE])
+    error->all(FLERR,
+               "Fix aleisph: atom {} is neither fluid (group of fix aleisph/predictor) nor wall "
+               "(group of fix aleisph/wall), or not in group {}",
+               atoms[NO_ROLE], group->names[owner_.igroup]);
+  if (atoms[TWO_ROLES])
+    error->all(FLERR, "Fix aleisph: atom {} is both fluid and wall", atoms[TWO_ROLES]);
+  if (atoms[BUFFER])
+    error->all(FLERR, "Fix aleisph: buffer atom {} is not in the group of its fix aleisph/pressure",
+               atoms[BUFFER]);
+  if (atoms[CONTRADICTION]) refuse_contradiction(atoms[CONTRADICTION]);
+}
+
+void AleisphChecks::refuse_contradiction(long long code) const
+{
+  const auto pairs = static_cast<long long>(contradictions_.size());
+  const auto &pair = contradictions_[code % pairs];
+  const auto &one = owner_.scene().claims()[pair.first];
+  const auto &other = owner_.scene().claims()[pair.second];
+  error->all(
+      FLERR,
+      "Fix aleisph: atom {} is given two values of {}: {} by fix {} and {} by fix {}; take it out "
+      "of the group of one of them",
+      code / pairs, one.what, one.value, one.fix, other.value, other.fix);
 }

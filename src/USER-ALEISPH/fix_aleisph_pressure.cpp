@@ -70,6 +70,7 @@ void FixAleisphPressure::init()
     owner_->scene().add_role(aleisph::BUFFER, buffer_bit_);
     owner_->scene().add_condition(this);
   }
+  add_claims();
   version_ = -1;
 
   if (group->count(igroup) == 0)
@@ -82,6 +83,19 @@ void FixAleisphPressure::init()
   if (ivar < 0 || (!input->variable->equalstyle(ivar) && !input->variable->atomstyle(ivar)))
     error->all(FLERR, "Fix aleisph/pressure: {} is not an equal- or atom-style variable",
                variable_);
+}
+
+// what cannot be had twice on one particle
+void FixAleisphPressure::add_claims() const
+{
+  const std::string name = fmt::format("{} ({})", id, style);
+  owner_->scene().add_claim({name, "pressure",
+                             variable_.empty() ? fmt::format("{}", value_) : "v_" + variable_,
+                             groupbit});
+  if (buffer_bit_)
+    owner_->scene().add_claim({name, "buffer direction",
+                               fmt::format("{} {} {}", towards_[0], towards_[1], towards_[2]),
+                               buffer_bit_});
 }
 
 void FixAleisphPressure::setup_pre_force(int vflag)

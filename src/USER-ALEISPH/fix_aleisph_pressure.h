@@ -38,6 +38,7 @@ class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
   int source(int i) const override;
 
  private:
+  void add_claims() const;
   void set_pressure();
   void find_sources();
   int nearest_source(int i) const;

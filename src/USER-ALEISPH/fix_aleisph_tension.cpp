@@ -17,8 +17,6 @@
 #include "error.h"
 #include "modify.h"
 #include "neigh_list.h"
-#include "neigh_request.h"
-#include "neighbor.h"
 #include "update.h"
 #include "utils.h"
 
@@ -153,7 +151,7 @@ void FixAleisphTension::make_model()
   const double reach = model_->reach();
   if (reach == 0.0) return;
   owner_->require_reach(reach);
-  neighbor->add_request(this, NeighConst::REQ_FULL)->set_cutoff(reach);
+  owner_->request_list(this, reach);
 }
 
 void FixAleisphTension::init_list(int, NeighList *list)

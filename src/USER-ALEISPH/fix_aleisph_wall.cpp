@@ -100,6 +100,7 @@ void FixAleisphWall::init()
   if (curlcurl_) role |= aleisph::CURLCURL;
   owner_->scene().add_role(role, groupbit);
   owner_->scene().add_walls(this);
+  add_claims();
   searched_ = warned_ = false;
 
   if (group->count(igroup) == 0)
@@ -118,6 +119,25 @@ void FixAleisphWall::init()
                  "property/atom d2_{} 3",
                  given_, given_);
   }
+}
+
+// What cannot be had twice on one particle. A wall without keyword velocity leaves it to others.
+void FixAleisphWall::add_claims() const
+{
+  const std::string name = fmt::format("{} ({})", id, style);
+  const auto claim = [&](const char *what, const std::string &value) {
+    owner_->scene().add_claim({name, what, value, groupbit});
+  };
+  claim("condition", slip_ ? "slip" : "no-slip");
+  claim("vstar", curlcurl_ ? "curlcurl" : "default");
+  claim("normals", given_.empty() ? "auto" : "given " + given_);
+  if (!prescribed_) return;
+  std::string text;
+  for (const auto &component : velocity_)
+    text += (text.empty() ? "" : " ") +
+        (component.variable.empty() ? fmt::format("{}", component.value)
+                                    : "v_" + component.variable);
+  claim("velocity", text);
 }
 
 void FixAleisphWall::setup_pre_force(int vflag)

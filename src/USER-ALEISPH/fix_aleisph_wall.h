@@ -44,6 +44,7 @@ class FixAleisphWall : public Fix, public aleisph::NormalFinder {
   };
 
   void parse(int narg, char **arg);
+  void add_claims() const;
   void set_velocity();
   bool is_known(int i) const;
   int copy_given_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows);

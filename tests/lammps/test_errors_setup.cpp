@@ -115,6 +115,24 @@ TEST(SetupErrors, Groups)
       {"ppe of some",
        [](Script &s) { s.ppe = "fix ppe fluid aleisph/ppe"; },
        {"ix aleisph/ppe", "group"}},
+      {"slip and no-slip",
+       [](Script &s) { s.wall += "\ngroup one id 3\nfix lid one aleisph/wall condition slip"; },
+       {"ix aleisph: atom 3 is given two values of condition", "no-slip by fix wall",
+        "slip by fix lid", "take it out"}},
+      {"two velocities",
+       [](Script &s) {
+         s.wall += " velocity 0 0 0\ngroup one id 3\nfix lid one aleisph/wall velocity 1 0 0";
+       },
+       {"atom 3", "two values of velocity: 0 0 0 by fix wall", "1 0 0 by fix lid"}},
+      {"two ways to find v*",
+       [](Script &s) { s.wall += "\ngroup one id 3\nfix lid one aleisph/wall vstar curlcurl"; },
+       {"atom 3", "two values of vstar"}},
+      {"two pressures",
+       [](Script &s) {
+         s.pressure = "group one id 42\nvariable p equal 2\n"
+                      "fix a fluid aleisph/pressure 1.0\nfix b one aleisph/pressure v_p";
+       },
+       {"atom 42", "two values of pressure: 1 by fix a", "v_p by fix b"}},
       {"buffer outside of its pressure group",
        [](Script &s) {
          s.pressure = "region right block 1.5 2 INF INF INF INF\ngroup right region right\n"
@@ -135,6 +153,30 @@ TEST(SetupErrors, OtherCommandsOfLammps)
       {"exclude",
        [](Script &s) { s.timestep += "\nneigh_modify exclude type 1 2"; },
        {"ix aleisph", "neigh_modify exclude"}},
+      {"include",
+       [](Script &s) { s.timestep += "\natom_modify first fluid\nneigh_modify include fluid"; },
+       {"ix aleisph", "neigh_modify include fluid", "use neigh_modify include all"}},
+      {"neighbor multi",
+       [](Script &s) { s.timestep += "\nneighbor 0.06 multi"; },
+       {"ix aleisph", "use neighbor 0.06 bin"}},
+      {"neighbor multi/old",
+       [](Script &s) { s.timestep += "\nneighbor 0.06 multi/old"; },
+       {"ix aleisph", "use neighbor 0.06 bin"}},
+      {"lists every ten steps",
+       [](Script &s) { s.timestep += "\nneigh_modify every 10"; },
+       {"ix aleisph", "neigh_modify every 10 delay 0", "use neigh_modify every 1 delay 0"}},
+      {"lists delayed",
+       [](Script &s) { s.timestep += "\nneigh_modify delay 5"; },
+       {"ix aleisph", "delay 5", "use neigh_modify every 1 delay 0"}},
+      {"lists never",
+       [](Script &s) { s.timestep += "\nneigh_modify once yes"; },
+       {"ix aleisph", "once yes", "once no"}},
+      {"box that is stretched",
+       [](Script &s) { s.wall += "\nfix def all deform 1 x erate 0.5 remap x"; },
+       {"ix aleisph", "fix def (deform)", "changes the box", "unfix it"}},
+      {"box that grows round the particles",
+       [](Script &s) { s.wall += "\nfix def all deform 1 x erate 0.5 remap none"; },
+       {"ix aleisph", "fix def (deform)", "changes the box"}},
       {"multi",
        [](Script &s) { s.timestep += "\nneighbor 0.06 multi\ncomm_modify mode multi"; },
        {"ix aleisph", "comm_modify mode single"}},
@@ -147,6 +189,28 @@ TEST(SetupErrors, OtherCommandsOfLammps)
   });
   expect_errors({{"minimize", [](Script &) {}, {"ix aleisph", "minimize", "unfix"}}},
                 "minimize 1e-4 1e-4 10 10");
+}
+
+// Particles at rest may keep their lists; a wall that moves is noticed
+TEST(SetupErrors, ListsThatAreKept)
+{
+  Simulation sim(small_channel());
+  Script script = small_script();
+  script.predictor += " frame eulerian";
+  script.timestep += "\nneigh_modify every 10 delay 0";
+  EXPECT_EQ(sim.error_of(script.text() + "run 3"), "");
+  expect_words(sim.error_of("fix m wall move linear 0.1 0 0\nrun 3"),
+               {"ix aleisph", "neigh_modify every 10", "use neigh_modify every 1"});
+}
+
+// walls may overlap where they say the same
+TEST(SetupErrors, WallsThatAgree)
+{
+  Simulation sim(small_channel());
+  Script script = small_script();
+  script.wall += "\ngroup one id 3\nfix lid one aleisph/wall velocity 0 0 0\n"
+                 "fix again one aleisph/wall velocity 0 0 0";
+  EXPECT_EQ(sim.error_of(script.text() + "run 1"), "");
 }
 
 // LAMMPS itself looks at the exclusions only after the fixes have
