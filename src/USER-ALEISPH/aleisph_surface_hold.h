@@ -19,6 +19,9 @@
 
 namespace aleisph {
 
+// The first row lies at one spacing from a wall. Below 0.8 contact lines are pinned.
+constexpr double HOLD_REACH = 1.0;    // in spacings
+
 int hold_surface(const Cloud &cloud, const Rows &surface, double reach, double *v);
 
 }    // namespace aleisph

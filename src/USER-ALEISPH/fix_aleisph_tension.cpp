@@ -25,13 +25,10 @@
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using aleisph::Part;
 using aleisph::StepBound;
 
 namespace {
 
-// The first row lies at one spacing from a wall. Below 0.8 contact lines are pinned.
-constexpr double HOLD_REACH = 1.0;    // in spacings
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
 
 }    // namespace
@@ -174,7 +171,7 @@ void FixAleisphTension::setup(int vflag)
 
 void FixAleisphTension::pre_force(int)
 {
-  aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
+  aleisph::Timers::Scope scope(owner_->timers(), aleisph::Part::TENSION);
   if (owner_->cloud().version() != version_) rebuild();
   find_pressure();
 }
@@ -229,7 +226,7 @@ void FixAleisphTension::post_force(int)
 void FixAleisphTension::add_acceleration(double *a)
 {
   auto &cloud = owner_->cloud();
-  aleisph::Timers::Scope scope(owner_->timers(), Part::TENSION);
+  aleisph::Timers::Scope scope(owner_->timers(), aleisph::Part::TENSION);
   const double rate = aleisph::roughness_rate(filter_, sigma_, owner_->fluid().rho0,
                                               cloud.spacing(), update->dt);
   find_velocity_gradient(cloud.fluid());
@@ -239,7 +236,7 @@ void FixAleisphTension::add_acceleration(double *a)
 void FixAleisphTension::guard_velocity(double *v)
 {
   auto &cloud = owner_->cloud();
-  held_ = aleisph::hold_surface(cloud, result().rows, HOLD_REACH * cloud.spacing(), v);
+  held_ = aleisph::hold_surface(cloud, result().rows, aleisph::HOLD_REACH * cloud.spacing(), v);
 }
 
 /* ---------------------------------------------------------------------- */
