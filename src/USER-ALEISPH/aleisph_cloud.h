@@ -6,9 +6,9 @@
 
    A new instant is made in two steps: reset(), after which the caller fills in
    roles, normals and wall shapes; then update(), which builds the stencil.
-   Weights are built when they are first asked for after an update, so that a
-   scene pays for what it uses only; while no particle moves nobody calls
-   update() and nothing is built again. counts() says how often each was.
+   Weights are built when they are first needed after an update, so that what a
+   scene does not use costs nothing. While no particle moves, update() is not
+   called and nothing is built again. counts() has the number of builds of each.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_CLOUD_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   What keeps splashing flow together where the equations on a few scattered
-   neighbours do not. Each guard reports how often it acted.
+   Guards for splashing flow, where particles have too few neighbours for the
+   equations. Each guard returns how often it acted.
 
    Fields: 3 doubles per particle; input fields valid on owned and ghost
    particles, output on the owned rows listed. The velocity of a wall particle
@@ -43,8 +43,8 @@ int collide(const Cloud &cloud, const double *v, const double *n, double reach, 
      grad_i += (1 - sigma) p_i S'_i.
    Why: -dt/rho grad p contains +p_i S_i, a push of a compressed particle into
    its neighbours. Where c > 1 it compresses further, and the projection is
-   not a contraction. Turned round it pushes away from the neighbours, so the
-   part of S along +n must stay out, or it would push into the wall.
+   not a contraction. With the opposite sign it pushes away from the neighbours;
+   the part of S along +n is left out, as it would push into the wall.
    (P - sigma |S'|^2)/|A| is the part of a particle's own divergence that its
    own pressure removes, 0.11 on the lattice in 2d, 0.06 in 3d. The neighbours
    do the rest, so that rows with much more overshoot: hence the bound.
@@ -71,20 +71,20 @@ int symmetric_gradient(const Cloud &cloud, const Rows &rows, double max_lambda, 
                        double *grad);
 
 /* ----------------------------------------------------------------------
-   Wall guard. A fluid particle that would come closer to a wall than
-   q = distance [length] within dt is held off softly: the distance s that its
-   motion w dt (w = v + shift) relative to the wall leads to is replaced by
+   Wall guard. It acts on a fluid particle that would come closer to a wall than
+   q = distance [length] within dt. The distance s after its motion w dt
+   (w = v + shift) relative to the wall is replaced by
      q (1/2 + 1/2 exp((s - q)/q)) for s < q,
    by a change dw of its transport velocity, and the approaching part of v
    relative to the wall is removed (dv). Where several walls meet, dw makes
-   every distance at least the one of the formula. The map, unlike a clamp,
-   does not put two particles into one place.
+   every distance at least the one of the formula. A fixed smallest distance
+   would put several particles into one place in a corner; this map does not.
    The distance is measured along the normal of wall neighbours that lie
    below the particle (tangential offset < 0.8 d after the motion; next to a
    concave edge or corner < 1.5 d, as the faces there go on up to it), on
    convex edges (wall shape below 0.95) along the line that joins the two before the
-   motion. A particle more than d/2 behind a wall particle belongs to the
-   other side of a thin body and is let alone.
+   motion. A particle more than d/2 behind a wall particle is on the other side
+   of a thin body and is not changed.
    dv, dw: zero on rows that are not held. The new transport velocity is
    w + dw; kept as v + shift velocity, the latter changes by dw - dv.
    Returns the number of particles held.

@@ -3,9 +3,9 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   A matrix of owned rows as a linear operator over all ranks: one halo
-   exchange of one value per particle, and meanwhile the rows that need
-   nothing of it. The matrix must have the pattern of the present stencil.
+   A matrix of owned rows as a linear operator over all ranks. Each product has
+   one halo exchange of one value per particle; rows without ghosts are worked
+   on meanwhile. The matrix must have the pattern of the present stencil.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_HALO_OPERATOR_H

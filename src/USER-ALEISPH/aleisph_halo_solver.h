@@ -3,9 +3,9 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   The linear solver over all ranks, as a fix has one: keyword preconditioner,
-   matrices of owned rows, the IDs of the atoms as what identifies the rows,
-   a warning where Jacobi had to step in.
+   The linear solver over all ranks, for a fix: keyword preconditioner, matrices
+   of owned rows, which are identified by the IDs of their atoms, and a warning
+   if Jacobi was used as a fallback.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_HALO_SOLVER_H

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Images: where a lattice would go on if it did not end.
+   Images: points that continue a lattice behind walls and beyond the surface.
 
-   A sum over the full support that is to be the same next to a wall as in
-   the bulk needs what lies behind the wall, and walls are a single layer. So
-   each wall neighbour j of particle i stands for a second point too, at
-   x_j - d n_j. In the same way each SURFACE neighbour j of a fluid particle
-   that is not on the surface stands for a point at x_j + d N_j: the row
-   below the surface then sees a full lattice, and is not drawn to the
-   surface by the deficit. A particle on the surface sees no images of the
-   surface, for it is measured against the value of a flat one.
+   Walls are a single layer, so that a sum over the full support lacks what
+   lies behind them. Therefore each wall neighbour j of particle i also counts
+   at a second point, x_j - d n_j. In the same way each SURFACE neighbour j of
+   a fluid particle that is not on the surface also counts at x_j + d N_j: the
+   row below the surface then has the sum of a full lattice, and is not drawn
+   to the surface. A particle on the surface has no images of the surface, as
+   its target is the value on a flat one.
 
-   An image is left out where its place is taken: closer than 0.9 d to
-   another wall particle (image of a wall: convex edges, thin plates) or to
-   a fluid particle, i itself included (image of the surface: folds, layers
-   that touch), or closer than 0.5 d to another image (two faces that meet
-   in a convex edge). The nearest particle to the image of a flat wall or
-   surface is at d, as is the nearest image. Only neighbours of i are looked
-   at: an image near the rim of the support may stay.
+   An image is left out if its place is taken: closer than 0.9 d to another
+   wall particle (image of a wall: convex edges, thin plates) or to a fluid
+   particle, i itself included (image of the surface: folds, layers that
+   touch), or closer than 0.5 d to another image (two faces that meet in a
+   convex edge). The nearest particle to the image of a flat wall or surface
+   is at d, as is the nearest image. Only neighbours of i are tested: an image
+   near the rim of the support may remain.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_IMAGES_H

@@ -2,9 +2,9 @@
 /* ----------------------------------------------------------------------
    BiCGSTAB, van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631, with
    right preconditioning, restart on near-breakdown and a recomputed true
-   residual. It knows an operator, a preconditioner and an inner product;
-   the whole difference between one rank and many is in the last one and in
-   the operator's halo exchange.
+   residual. It is given an operator, a preconditioner and an inner product.
+   Several ranks differ from one only in the inner product and in the halo
+   exchange of the operator.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_KRYLOV_H

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   The passes over memory of BiCGSTAB, each doing all that its vectors are
-   read for. Sums have four parts in a fixed order: one would wait for the
-   latency of each addition, and a compiler may not reorder.
+   The loops of BiCGSTAB over its vectors. Operations on the same vectors share
+   one loop, so that each vector is read from memory as few times as possible.
+   Sums have four parts in a fixed order: with one part each addition would wait
+   for the one before, and a compiler may not reorder them.
    Names as in aleisph_krylov.cpp; no two arguments overlap.
 ------------------------------------------------------------------------- */
 

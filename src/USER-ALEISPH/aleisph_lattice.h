@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   The corrected Laplacian on the infinite square/cubic lattice of spacing d:
-   the measure of what is normal for a row, and of the explicit viscous limit.
+   The corrected Laplacian on the infinite square/cubic lattice of spacing d: the
+   reference for the diagonal of a row, and the limit of explicit viscosity.
    A wave exp(i k.x) has lap = -mu(k), mu(k) = -sum_j a_0j (1 - cos k.r_0j).
 ------------------------------------------------------------------------- */
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   BiCGSTAB with a preconditioner that is kept while it works.
+   BiCGSTAB with a preconditioner that is kept over several solves.
 
-   A preconditioner built for one matrix is a good one for the matrices of
-   later steps, as long as the rows are the same particles. Where they have
-   changed places, or ranks, vectors are brought into the order that they had.
-   It is built anew when the particles are others; when the iterations that it
-   has cost beyond the fewest since it was built add up to the cost of a build;
-   when a solve fails. A solve that fails with a new one, too, is done once
-   more with Jacobi. All decisions are taken on global sums and on numbers of
-   iterations, never on measured time, so that runs are reproducible.
+   A preconditioner built for one matrix is also good for the matrices of later
+   steps, as long as the rows are the same particles. If these have changed
+   places or ranks, vectors are transferred to the layout of the build and back.
+   The preconditioner is built again if particles were added or lost; if the
+   additional iterations, compared with the fewest since the build, add up to
+   the cost of a build; if a solve fails. A solve that also fails with a new
+   preconditioner is repeated with Jacobi. All decisions depend on global sums
+   and numbers of iterations, never on measured time: runs are reproducible.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_LINEAR_SOLVER_H

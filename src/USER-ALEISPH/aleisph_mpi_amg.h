@@ -4,9 +4,9 @@
    BoomerAMG of the library hypre (Henson & Yang, Appl. Numer. Math. 41
    (2002) 155), when the package is compiled with ALEISPH_HYPRE.
 
-   The hierarchy is built for a sparser matrix: couplings that are weak beside
-   the largest one of their row are added to its diagonal. Smooth functions
-   see hardly any difference, and a cycle costs half as much in 3d.
+   The hierarchy is built for a sparser matrix: couplings that are weak compared
+   with the largest one of their row are added to its diagonal. For smooth
+   functions this makes hardly any difference, and a cycle costs half in 3d.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_MPI_AMG_H

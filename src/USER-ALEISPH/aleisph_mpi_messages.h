@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   One message to, or from, each of several ranks that know of it, again and
-   again. Who they are can be found out by SparseExchange.
+   Repeated messages to, or from, a fixed set of ranks that expect them. Which
+   ranks these are can be found by SparseExchange.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_MPI_MESSAGES_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Messages to ranks that do not know of them: sparse data exchange with
+   Messages to ranks that do not expect them: sparse data exchange with
    non-blocking consensus, Hoefler, Siebert & Lumsdaine, PPoPP 2010, without a
    table of all ranks.
 ------------------------------------------------------------------------- */

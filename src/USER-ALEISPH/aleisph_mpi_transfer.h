@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Values of rows that have moved to other ranks and other places: from the
-   layout that they had when a preconditioner was built to that of today, and
-   back.
+   Transfers the values of rows that have moved to other ranks or places: from
+   the layout at the time a preconditioner was built to the present one, and back.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_MPI_TRANSFER_H

@@ -6,12 +6,12 @@
    (Thuermer & Wuethrich, J. Graphics Tools 3 (1998) 43), which on an edge
    or corner of a box is the normalised sum of the face normals.
 
-   Which side of the wall the fluid is on is told, in this order, by
+   The side of the wall on which the fluid is, is found from, in this order,
      the normal of the step before,
-     fluid particles within the support that i can see,
+     fluid particles within the support that no wall particle hides from i,
      wall neighbours whose normal is known.
-   This chooses the facets (WallFan) and has no other influence, unless
-   there is no facet. By the last one normals spread along dry walls, one
+   This selects the facets (WallFan) and has no other influence, unless there
+   is no facet. By the last rule normals spread along dry walls, by one
    particle in each call.
 
    The shape of the wall at i is 1/|mean facet normal| where the facets lean

@@ -8,12 +8,12 @@
           neighbour within reach * d closer to it than half_angle,
    and the smallest eigenvalue of its moments is below max_lambda; or if it
    has fewer than min_neighbours fluid neighbours in the stencil, which makes
-   it ballistic. Neighbours are fluid and wall particles alike, and what lies
-   a spacing d behind the latter, so that a particle squeezed against a wall
-   is not taken for one on the surface; a stencil without dry wall particles
-   is what makes this right at contact lines.
-   In 3d an open cone is always seen from a half angle of half_angle + 15
-   degrees on, the resolution of the 96 directions.
+   it ballistic. Neighbours are fluid and wall particles alike. Each wall
+   particle also counts at a point d behind it, so that a particle pressed
+   against a wall is not taken for one on the surface. Dry wall particles are
+   not in the stencil: so the test is right at contact lines, too.
+   In 3d an empty cone is always found if its half angle is half_angle + 15
+   degrees or more, the resolution of the 96 directions.
 
    The outward normal N is that of the colour gradient, -sum V gradW, without
    the components that point into walls within wall_reach * d, normalised:

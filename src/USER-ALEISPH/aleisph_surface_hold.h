@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Surface particles next to walls. The pressure row of a particle on the
-   surface prescribes its pressure and knows nothing of a wall, so that nothing
-   stops a contact line from sinking into the wall that it stands on. For
-   surface particles closer to walls than `reach` [length], measured along
+   Surface particles next to walls. The pressure of a particle on the surface is
+   prescribed, so that the pressure does not keep a contact line from moving into
+   the wall. For surface particles closer to walls than `reach` [length], measured along
    the normals of wall particles that they lie above (tangential offset below
    0.8 d), the velocity relative to the nearest of these is replaced by the
    nearest vector with v.n >= 0 for all their normals.

@@ -4,9 +4,9 @@
    the directions of its neighbours alone:
      A_i = |sum_j q_ij e_ij| / sum_j q_ij,   q = -W'(r) r.
    A is 0 in the bulk and 1 for a particle with one neighbour. It does not
-   change when the neighbours come closer, so that what the density misses
-   because of the shape of the surface can be told from what it misses
-   because particles are far apart. On the outermost particle of a lattice
+   change when the neighbours come closer. So it shows which part of a low
+   density comes from the shape of the surface, and which from particles that
+   are far apart. On the outermost particle of a lattice
    that fills the whole space, half of it, a quarter (corner in 2d, edge in
    3d) or an eighth, A and the density beta sum V W are known; in between,
    the density is interpolated linearly in A.

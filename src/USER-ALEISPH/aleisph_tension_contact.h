@@ -14,10 +14,11 @@
         N_c = t sin(theta) + n cos(theta),   t: direction of N along the wall.
       Where walls meet in a concave edge or corner (aleisph_tension_contact_walls.h)
       it has the angles to all of them.
-   3. The tip of a thin wedge has few neighbours in the fluid and passes for spray.
-      Beside the fluid and above a wall it is part of the contact line (bind_tips).
-   4. N of the colour gradient proper has no part into walls and is wrong on
-      overhangs; near the line the N of 2. is to take its place
+   3. The tip of a thin wedge has few neighbours in the fluid and would count as
+      ballistic. Beside the fluid and above a wall it is part of the contact line
+      (bind_tips).
+   4. N of the colour gradient of the surface has no part into walls and is wrong
+      on overhangs. Near the line it is replaced by the N of 2.
       (contact_surface_normals), in the pressure row and in shifting.
 ------------------------------------------------------------------------- */
 

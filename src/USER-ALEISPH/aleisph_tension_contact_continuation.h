@@ -13,7 +13,7 @@
    3. Behind a particle on a concave edge there is a whole quadrant of sources, at
       x_j - d (a n + b n'), a, b = 0..depth, n and n' of the faces next to it, and
       in a corner an octant. The normal of the edge particle itself, between n
-      and n', counts for nothing.
+      and n', is not used.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_TENSION_CONTACT_CONTINUATION_H

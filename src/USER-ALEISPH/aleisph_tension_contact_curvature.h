@@ -6,10 +6,10 @@
    gives its curvature there. Along the line of steepest ascent of a surface with
    curvature k,
      d(N.n)/dh = k,      so that the mean of k is  (N(h).n - cos(theta))/h:
-   N.n is cos(theta) on the wall. This is exact, on an arc at all heights. It
-   takes N from where the surface is resolved, some spacings off the wall, and
-   does not depend on where the outermost particles are: their own
-   curvature cannot tell a wrong angle from a particle out of place.
+   N.n is cos(theta) on the wall. This is exact, on an arc at all heights. N is
+   that some spacings off the wall, where the surface is resolved. The places of
+   the outermost particles do not enter: in their own curvature a particle out
+   of place would have the effect of a wrong angle.
 
    Near the line K of the surface is replaced by
      K_c = k + K_a,
@@ -18,9 +18,9 @@
    w_ij = (1 - r_ij/(4.8 d))^2, and K_a (3d) the curvature along the line,
    from the same particles. If the surface is steeper than theta, K_c is too
    small and the fluid is drawn to the line, which advances.
-   The share of K_c is 1 up to the height `near`, 0 from `far` on, and fades
-   where no particle next to i is low enough to be on the wall, and where
-   the surface lies parallel to it.
+   The share of K_c is 1 up to the height `near` and 0 from `far` on. It goes to
+   zero where no particle next to i is low enough to be on the wall, and where
+   the surface is parallel to the wall.
 
    Where walls meet in a concave edge or corner a surface near two of them has k
    and k', and K_c = k + k': N.n and N.n' change with the heights over the two

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   The walls that a contact line near particle i can meet. One, as a rule: the
-   nearest, or a mean of what is near, so that it changes smoothly along
-   a curved wall and around a convex edge. Where walls meet in a concave edge or
-   corner there are several, and the normals of the particles on the edge, which
-   lie between those of the faces, belong to none of them.
+   The walls that a contact line near particle i can meet. Normally it is one: the
+   nearest, or a mean of those near, so that it changes smoothly along a curved
+   wall and around a convex edge. In a concave edge or corner there are several;
+   the normals of the particles on the edge, which lie between those of the faces,
+   belong to none of these walls.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_TENSION_CONTACT_WALLS_H

@@ -5,10 +5,10 @@
      out_i = sum_j w_ij (v_j - v_i - (grad v)_i.r_ji) / sum_j w_ij,
      w_ij = 1 - |r_ij|/support,
    over fluid neighbours that are not ballistic. It vanishes where v is
-   linear, and is a diffusion of v elsewhere: no force on a potential flow
-   inside, since lap grad phi = 0, but what alternates between neighbours is
-   damped. Surface tension with little viscosity feeds such noise at the
-   surface. It does not conserve momentum exactly.
+   linear, and is a diffusion of v elsewhere. In the fluid it is zero for a
+   potential flow, since lap grad phi = 0, but it damps velocities that alternate
+   between neighbours. With little viscosity surface tension amplifies such noise
+   at the surface. It does not conserve momentum exactly.
    v: owned and ghost; grad_v[9*i+3*a+b] = d v_a/d x_b of the fluid rows.
 ------------------------------------------------------------------------- */
 

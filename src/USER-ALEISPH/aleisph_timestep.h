@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   What bounds the time step, and the choice of the next one.
+   The limits of the time step, and the choice of the next one.
 
    A limit is the time step at which a process becomes unstable or badly
    resolved; a share of it is taken (default in brackets):
@@ -60,9 +60,9 @@ double capillary_limit(double rho, double d, double sigma);
 /* ----------------------------------------------------------------------
    Chooses the time step: the smallest of the shares of the limits, of max,
    and of grow times the step in force. With align = T steps end on multiples
-   of T: the time that is left to the next one is divided evenly. The last
-   step before a multiple is then not smaller than half of what was chosen,
-   unless the first choice falls just before a multiple.
+   of T: the time left to the next multiple is divided evenly. The last step
+   before a multiple is then not smaller than half of the chosen step, unless
+   the first choice is made just before a multiple.
 ------------------------------------------------------------------------- */
 class StepControl {
  public:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   The vector nearest to v among those that point into none of the walls,
-   v.n >= 0 for all unit normals n: v itself, its part along one wall, its
-   part along the edge of two, or zero. Taking off one component after the
-   other would depend on the order of the neighbours where walls meet.
+   The vector nearest to v that has no component into any of the walls, v.n >= 0
+   for all unit normals n: v itself, its part along one wall, its part along the
+   edge of two, or zero. Removing one component after the other would give a
+   result that depends on the order of the neighbours where walls meet.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_WALL_CONE_H

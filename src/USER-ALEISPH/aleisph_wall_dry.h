@@ -2,14 +2,14 @@
 /* ----------------------------------------------------------------------
    Which wall particles are dry, next to a free surface.
 
-   A wall particle takes part as long as there is fluid within `reach`, or that
-   distance from each of the walls that meet in a concave edge or corner: reach
-   times its shape. Farther ones would be neighbours without pressure. Jitter
-   can move all fluid a little further off a wetted wall: there it is still
-   above the wall particle, and at a contact line beside it. So a particle is
-   wet up to 1.25 times that distance, too, if the fluid within the support
-   lies within 30 degrees of its normal (measured on tanks with jitter to
-   0.3 d).
+   A wall particle is wet if there is fluid within `reach` times its shape; so in
+   a concave edge or corner the fluid may be at the distance `reach` from each of
+   the walls that meet there. Wall particles farther away are dry: they would be
+   neighbours without pressure. Jitter can move all fluid a little farther away
+   from a wetted wall. Then the fluid is still above the wall particle, whereas
+   at a contact line it is beside it. So a particle is also wet up to 1.25 times
+   that distance if the mean direction to the fluid within the support is within
+   30 degrees of its normal (measured on tanks with jitter to 0.3 d).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_WALL_DRY_H

@@ -2,18 +2,17 @@
 /* ----------------------------------------------------------------------
    The wall around a wall particle, as seen from it on the unit sphere.
 
-   The nearest wall particles are vertices, unless the way along the wall
-   leads past another one: at equal distances two vertices are 50 degrees
-   apart, at least. Two that span a facet of the wall are joined by an arc.
-   The arcs cut the sphere into sides: a plane wall has two, one of them the
-   fluid's; where a wall stands on another one that goes on behind it, there
-   are three. A side that the arcs do not close, at the rim of a wall, ends
-   where its last arc ends. All that a side says about the wall comes from
-   the arcs that bound it, so that a wall behind another one has no part
-   in it.
+   The nearest wall particles are vertices, unless another wall particle lies on
+   the way to them along the wall: at equal distances two vertices are at least
+   50 degrees apart. Two vertices that span a facet of the wall are joined by an
+   arc. The arcs cut the sphere into sides. A plane wall has two, and the fluid
+   is on one of them; where a wall stands on another one that continues behind
+   it, there are three. A side that is not closed by arcs, at the rim of a wall,
+   ends where its last arc ends. Normal and shape on a side are computed from
+   the arcs that bound it, so that a wall behind another one has no effect.
 
-   A line of particles in 2d is the wall that it is when drawn out along z:
-   +z and -z are vertices, too.
+   In 2d a line of particles stands for a wall that extends along z: +z and -z
+   are vertices, too.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_WALL_FAN_H
