@@ -99,7 +99,7 @@ WallNeighbours wall_neighbours(const Cloud &cloud, const WallGuard &guard, int i
   return walls;
 }
 
-// Does the plane of this wall particle go on below the particle? nearest: of all wall particles.
+// Does the plane of this wall particle continue below the particle? nearest: of all wall particles.
 bool below(const WallNeighbour &wall, const WallNeighbour &nearest, double d)
 {
   const double offset = (wall.end - wall.s * wall.n).norm();
@@ -126,8 +126,8 @@ struct Held {
   Vec3 dx = Vec3::Zero(), dv = Vec3::Zero();
 };
 
-// Serves the wall that is missed most until none is: independent of their order, and particles
-// of one plane act once.
+// Corrects for the wall whose distance is violated most, until none is: the result does not depend
+// on the order of the walls, and particles of one plane act once.
 Held hold(const WallNeighbours &walls, const Vec3 &v_i, double d)
 {
   Held held;

@@ -65,7 +65,7 @@ std::vector<SparseExchange::Message> SparseExchange::round(const std::vector<Mes
       if (entered) MPI_Ibarrier(comm_, &barrier);
     }
   }
-  // the order in which they came in is chance
+  // messages arrive in any order
   std::sort(received.begin(), received.end(),
             [](const Message &a, const Message &b) { return a.rank < b.rank; });
   return received;

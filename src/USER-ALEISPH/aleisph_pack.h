@@ -3,7 +3,7 @@
    Eight rows at a time. A Pack holds one number of each of LANES rows; every
    lane does what a scalar loop over the pairs of its row would do, in the
    same order, so that results do not depend on the vector instructions that
-   the compiler has at hand. Vector extension of GCC and Clang.
+   the compiler uses. Vector extension of GCC and Clang.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_PACK_H

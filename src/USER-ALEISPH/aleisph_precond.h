@@ -2,8 +2,8 @@
 /* ----------------------------------------------------------------------
    Preconditioners that a rank builds from its own rows: none, jacobi, ilu0
    (Meijerink & van der Vorst, Math. Comput. 31 (1977) 148; couplings to
-   ghosts are left out, so that ranks do not talk). That of all ranks, amg,
-   is in aleisph_mpi_amg.h.
+   ghosts are left out, so that no exchange is needed). The one over all ranks,
+   amg, is in aleisph_mpi_amg.h.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_PRECOND_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   What a particle is. Bits of one unsigned per particle, known for owned
+   The roles of a particle: bits of one unsigned per particle, known for owned
    and ghost particles alike. The first group is given by the script, the
    second is found anew from the positions of every step.
 ------------------------------------------------------------------------- */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    What the fixes of a script contribute to a step, each through a small
-   interface. Fixes sign up at the start of a run; a scene without free surface,
-   walls, tension or guards has none of them here and pays for none.
+   interface. Fixes sign up at the start of a run. Without free surface, walls,
+   tension or guards their entries are empty, and cost nothing.
 
    A time step, in the order in which it happens:
      positions   predictor      x += dt (v + u); u: velocity of shifting

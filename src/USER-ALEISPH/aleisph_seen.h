@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
-   Which roles the neighbours of a row have. Most rows lie in the bulk, and
-   what is special about walls and surfaces is skipped there. A table of all
-   rows, made in one pass, answers without a loop over the pairs.
+   The roles that occur among the neighbours of each row, in a table made in one
+   pass over the stencil. By it rows in the bulk, which are most of them, skip
+   the work for walls and surfaces without a loop over their pairs.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_SEEN_H

@@ -22,8 +22,8 @@ using Vec3 = Eigen::Vector3d;
 constexpr double PI = 3.14159265358979323846;
 constexpr double DEGREE = PI / 180.0;
 
-// A gap as wide as what is allowed is no gap, whatever the last bits: on a lattice 90 degrees
-// is frequent.
+// A gap of exactly the allowed width does not count, up to rounding: 90 degrees is frequent on
+// lattices.
 constexpr double TIE = 1.0e-9;    // radians
 
 // A colour gradient shorter than this part of the sum of its terms has no direction.
@@ -48,9 +48,9 @@ const Directions &fibonacci_directions()
 }
 
 /* ----------------------------------------------------------------------
-   Is there a direction around a particle without neighbours? Behind a wall
-   there is none, though the particle may lie almost on it: each wall
-   neighbour stands for a second one at a distance d behind it, too.
+   Is there an empty direction around a particle? Directions through a wall are
+   never empty, even if the particle lies almost on the wall: each wall
+   neighbour also counts at a point d behind it.
 ------------------------------------------------------------------------- */
 class AllRoundTest {
  public:

@@ -39,8 +39,8 @@ class ContactNormal {
 
   bool found() const { return !basis_.empty(); }
 
-  // Where both angles together cannot be had, the fluid runs along the edge without end (Concus &
-  // Finn, Proc. Natl Acad. Sci. 63 (1969) 292), and N_c lies across it.
+  // If no N has the angles to both walls, the fluid runs along the edge without end (Concus & Finn,
+  // Proc. Natl Acad. Sci. 63 (1969) 292), and N_c lies across it.
   Vector3d value() const
   {
     const double rest = 1.0 - across_.squaredNorm();

@@ -25,7 +25,7 @@ using Mat3 = Eigen::Matrix3d;
 // The second bracket along a direction t of the tangent plane, -sum V dW/dr (r_ij.t)^2/r_ij, has no
 // unit. With the cubic spline and h = 1.2 d it is 0.58 on a straight line (2d) and on a flat square
 // layer of particles (3d); 0.25 and 0.14 for a single neighbour at d, 0.044 and 0.026 at 2 d. It
-// falls to 0.02 at 2.1 d, so below there is nothing in that direction but on the brim.
+// falls to 0.02 at 2.1 d: below, neighbours in that direction are at the rim of the support only.
 constexpr double MIN_BRACKET = 0.02;
 
 constexpr double MEAN_REACH = 2.4;    // of the averaging, in spacings

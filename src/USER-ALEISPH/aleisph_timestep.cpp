@@ -106,7 +106,7 @@ bool StepControl::choose(const StepBounds &limits, double time)
   const double step = aligned(dt, time);
   if (step != state.dt) state.changes++;
   state.dt = step;
-  // a first step that is cut short by a multiple close by does not hold back the others
+  // a first step that a near multiple makes short does not limit the growth of the next ones
   state.ceiling = params.grow * std::max(step, 0.5 * dt);
   return true;
 }

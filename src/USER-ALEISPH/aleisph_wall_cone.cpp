@@ -9,8 +9,8 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-// Of the vector may point into a wall: what rounding leaves, and errors of wall normals that are
-// equal by intention. Also the square of the sine of the angle between normals that are parallel.
+// The component into a wall that is allowed: rounding, and differences of wall normals that should
+// be equal. Also the square of the sine of the angle between normals that are parallel.
 constexpr double INTO_WALL = 1.0e-10;
 
 }    // namespace

@@ -3,8 +3,8 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   Chooses the time step. What limits it is told by the styles that know
-   (aleisph::TimeStepLimit); how the next step follows is in aleisph_timestep.h.
+   Chooses the time step. The limits come from the styles that cause them
+   (aleisph::TimeStepLimit); the choice of the next step is in aleisph_timestep.h.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS

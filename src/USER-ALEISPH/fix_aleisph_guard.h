@@ -3,8 +3,8 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   Guards for splashing flow, in one place; each is off unless asked for,
-   and says how often it acted and what it did to the energy.
+   Guards for splashing flow. Each is off unless its keyword is given; how often
+   it acted and the energy that it added are counted.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS

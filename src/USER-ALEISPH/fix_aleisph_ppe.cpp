@@ -103,7 +103,7 @@ void FixAleisphPPE::init()
   choose_preconditioner();
 }
 
-// What works is kept from one run to the next: two runs are as good as one
+// The preconditioner is kept from one run to the next: two runs give what one run gives
 void FixAleisphPPE::choose_preconditioner()
 {
   auto &solver = solver_->solver();

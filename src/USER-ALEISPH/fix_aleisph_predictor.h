@@ -8,8 +8,8 @@
    with the transport velocity w = v (lagrangian), 0 (eulerian), or (ale)
    prescribed, or v plus the velocity of shifting, d2_aleisph_u. Viscosity is
    explicit, or implicit by backward Euler or Crank-Nicolson; the implicit
-   forms see -grad p^n/rho0 while they solve for the viscous velocity and give
-   it back afterwards, so that the pressure equation is the same for all.
+   forms include -grad p^n/rho0 in the solve for the viscous velocity and take
+   it out again afterwards, so that the pressure equation is the same for all.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS

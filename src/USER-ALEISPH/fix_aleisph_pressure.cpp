@@ -85,7 +85,7 @@ void FixAleisphPressure::init()
                variable_);
 }
 
-// what cannot be had twice on one particle
+// settings that must not contradict each other on one particle
 void FixAleisphPressure::add_claims() const
 {
   const std::string name = fmt::format("{} ({})", id, style);

@@ -4,11 +4,11 @@
    SPDX-License-Identifier: GPL-2.0-only
 
    The owner's report after a run: where the time went, what was built how
-   often, what was said to other ranks.
+   often, what was exchanged with other ranks.
 
    LAMMPS calls Fix::post_run() between the last line of thermo output and
    "Loop time", where programs that read logs expect lines of numbers only,
-   and calls no fix after that. So post_run() only writes the text down. It
+   and calls no fix after that. So post_run() only stores the text. It
    is printed when the next run is set up or the fix goes, which is at the
    end of the script at the latest.
 ------------------------------------------------------------------------- */

@@ -3,8 +3,8 @@
    USER-ALEISPH package
    SPDX-License-Identifier: GPL-2.0-only
 
-   Free surface: which fluid particles are on it, its outward normals, and
-   what the pressure equation, the inverse moments and dry walls make of it.
+   Free surface: which fluid particles are on it, its outward normals, and its
+   parameters in the pressure equation, the inverse moments and the dry walls.
 ------------------------------------------------------------------------- */
 
 #ifdef FIX_CLASS

@@ -121,7 +121,8 @@ void FixAleisphWall::init()
   }
 }
 
-// What cannot be had twice on one particle. A wall without keyword velocity leaves it to others.
+// Settings that must not contradict each other on one particle. A wall without keyword velocity
+// does not set it.
 void FixAleisphWall::add_claims() const
 {
   const std::string name = fmt::format("{} ({})", id, style);
