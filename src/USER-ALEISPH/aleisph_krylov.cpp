@@ -155,8 +155,8 @@ bool BiCGStab::Run::load_rhs(const double *b)
   return report_.rhs_norm <= 2.0 * EPS * raw_norm;
 }
 
-// If a cycle has converged by its updated residual, but the true residual has (almost) not changed,
-// this is the rounding error of A x; after two such cycles in a row the solve ends. Breakdowns have max_restarts attempts.
+// If a cycle has converged by its updated residual, but the true residual has (almost) not
+// changed, this is the rounding error of A x; after two such cycles in a row the solve ends. Breakdowns have max_restarts attempts.
 bool BiCGStab::Run::stuck(Exit exit, double norm)
 {
   idle_ = exit == Exit::CONVERGED && norm > 0.5 * cycle_norm_ ? idle_ + 1 : 0;

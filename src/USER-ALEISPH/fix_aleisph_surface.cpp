@@ -18,10 +18,10 @@ using aleisph::Part;
 
 namespace {
 
-// With surface tension the row at the centres gives better frequencies, as the cells of a layer that
-// oscillates are stretched, and much less noise. Below a layer that has shrunk particles are loosely
-// packed: with a shorter reach holes of one particle would count as surface, and their tension would
-// destroy the drop.
+// With surface tension the row at the centres gives better frequencies, as the cells of a layer
+// that oscillates are stretched, and much less noise. Below a layer that has shrunk particles are
+// loosely packed: with a shorter reach holes of one particle would count as surface, and their
+// tension would destroy the drop.
 constexpr double OFFSET = 0.5, OFFSET_TENSION = 0.0;
 constexpr double REACH = 2.0, REACH_TENSION = 2.3;
 
