@@ -7,10 +7,12 @@ keywords   every word that a style compares its arguments with stands on its pag
 vectors    the page numbers the components of a global vector from 1 to size_vector
 errors     every message of the package stands on the page Errors_aleisph.rst
 readme     README.md names every style and every example; its pictures and links exist
+files      the Howto says where every source file belongs
 ascii      the pages are plain ASCII, in lines of at most 100 characters
 Prints what is missing; the exit status is 1 if there is anything.
 """
 
+import fnmatch
 import re
 import sys
 from pathlib import Path
@@ -137,6 +139,16 @@ def check_readme():
             yield f"README.md refers to {target}, which does not exist"
 
 
+def check_files():
+    """The first column of the table "Where things are": names of files, with * for any ending."""
+    table = page("Howto_aleisph").split("Where things are\n", 1)[-1]
+    cells = re.findall(r"^   \* - (.*(?:\n {7}.*)*)", table, re.M)
+    named = {word.strip("`") for cell in cells for word in re.split(r"[,\s]+", cell)}
+    for name in sorted({path.stem for path in PACKAGE.iterdir()}):
+        if not any(fnmatch.fnmatchcase(name, pattern) for pattern in named):
+            yield f"Howto_aleisph.rst does not say where {name} belongs"
+
+
 def check_ascii():
     for path in sorted(DOC.glob("*.rst")) + [README]:
         for number, line in enumerate(path.read_bytes().splitlines(), 1):
@@ -149,7 +161,8 @@ def check_ascii():
 def main():
     if not styles() or not list(messages()):
         sys.exit(f"no styles or no messages found in {PACKAGE}")
-    checks = (check_pages, check_keywords, check_vectors, check_errors, check_readme, check_ascii)
+    checks = (check_pages, check_keywords, check_vectors, check_errors, check_readme, check_files,
+              check_ascii)
     missing = [line for check in checks for line in check()]
     print("\n".join(missing) or f"{len(styles())} styles, {len(list(messages()))} messages: ok")
     sys.exit(1 if missing else 0)
