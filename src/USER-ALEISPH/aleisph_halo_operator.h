@@ -12,8 +12,8 @@
 #define LMP_ALEISPH_HALO_OPERATOR_H
 
 #include "aleisph_csr.h"
+#include "aleisph_halo_owner.h"
 #include "aleisph_krylov.h"
-#include "fix_aleisph.h"
 
 namespace LAMMPS_NS {
 

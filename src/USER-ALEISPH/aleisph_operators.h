@@ -26,8 +26,6 @@ namespace aleisph {
 
 class Cloud;
 
-using Rows = std::vector<int>;
-
 /* ----------------------------------------------------------------------
    g_ij = V L_i gradW_ij [1/length] and lambda_i, the smallest eigenvalue of
    M_i (0.98-0.99 in the bulk, 0.5 at a flat free surface, 0 for an isolated

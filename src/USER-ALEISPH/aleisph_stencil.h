@@ -22,6 +22,8 @@
 
 namespace aleisph {
 
+using Rows = std::vector<int>;    // owned particles, by local index
+
 // Candidate neighbours as a LAMMPS full neighbor list stores them; a particle
 // index is j = first[i][m] & mask, its column canonical[j]. Candidates beyond
 // the support are filtered.

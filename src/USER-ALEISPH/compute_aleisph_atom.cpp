@@ -6,10 +6,10 @@
 
 #include "compute_aleisph_atom.h"
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_shift.h"
 #include "atom.h"
 #include "error.h"
-#include "fix_aleisph.h"
 #include "memory.h"
 #include "update.h"
 #include "utils.h"

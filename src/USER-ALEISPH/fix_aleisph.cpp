@@ -6,6 +6,8 @@
 
 #include "fix_aleisph.h"
 
+#include "aleisph_halo_checks.h"
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -29,16 +31,15 @@ using namespace FixConst;
 using aleisph::Part;
 using aleisph::Role;
 
-namespace {
-
-}    // namespace
-
 /* ---------------------------------------------------------------------- */
 
 FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), checks_(lmp, *this), params_{aleisph::KernelType::CUBIC_SPLINE, 1.2},
-    spacing_(0.0), list_(nullptr), reach_(0.0), walls_located_(false), own_cutoff_(0.0),
-    halo_plan_(nullptr)
+    Fix(lmp, narg, arg), list_(nullptr), reach_(0.0), walls_located_(false), own_cutoff_(0.0),
+    fluid_(std::make_unique<aleisph::FluidProperties>()),
+    timers_(std::make_unique<aleisph::Timers>()), scene_(std::make_unique<aleisph::Scene>()),
+    ranks_(std::make_unique<aleisph::Ranks>(world, *timers_)),
+    fields_(std::make_unique<AleisphFields>(lmp)),
+    checks_(std::make_unique<AleisphChecks>(lmp, *this)), halo_plan_(nullptr)
 {
   parse(narg, arg);
 
@@ -48,12 +49,6 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
   size_vector = 13;
   global_freq = 1;
   extvector = 0;
-
-  const aleisph::Kernel kernel(params_.kernel, domain->dimension, params_.h_over_d * spacing_);
-  cloud_ = std::make_unique<aleisph::Cloud>(kernel, spacing_, timers_);
-  ranks_ = std::make_unique<aleisph::Ranks>(world, timers_);
-  fields_ = std::make_unique<AleisphFields>(lmp);
-
   set_masses();
   set_skin();
   set_sorting();
@@ -67,33 +62,37 @@ FixAleisph::~FixAleisph()
 
 void FixAleisph::parse(int narg, char **arg)
 {
+  aleisph::KernelType kernel = aleisph::KernelType::CUBIC_SPLINE;
+  double h_over_d = 1.2, spacing = 0.0;
   for (int iarg = 3; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph " + key, error);
     const char *value = arg[iarg + 1];
     if (key == "spacing") {
-      spacing_ = utils::numeric(FLERR, value, false, lmp);
-      if (!(spacing_ > 0.0) || !std::isfinite(spacing_))
+      spacing = utils::numeric(FLERR, value, false, lmp);
+      if (!(spacing > 0.0) || !std::isfinite(spacing))
         error->all(FLERR, "Fix aleisph: spacing must be positive, not {}", value);
     } else if (key == "kernel") {
-      if (!aleisph::Kernel::parse(value, params_.kernel))
+      if (!aleisph::Kernel::parse(value, kernel))
         error->all(FLERR, "Fix aleisph: unknown kernel {}, use one of {}", value,
                    aleisph::Kernel::names());
     } else if (key == "h/d") {
-      params_.h_over_d = utils::numeric(FLERR, value, false, lmp);
-      if (!(params_.h_over_d >= 0.8) || !(params_.h_over_d <= 3.0))
+      h_over_d = utils::numeric(FLERR, value, false, lmp);
+      if (!(h_over_d >= 0.8) || !(h_over_d <= 3.0))
         error->all(FLERR, "Fix aleisph: h/d must lie between 0.8 and 3, not {}", value);
     } else if (key == "rho0") {
-      fluid_.rho0 = utils::numeric(FLERR, value, false, lmp);
-      if (!(fluid_.rho0 > 0.0) || !std::isfinite(fluid_.rho0))
+      fluid_->rho0 = utils::numeric(FLERR, value, false, lmp);
+      if (!(fluid_->rho0 > 0.0) || !std::isfinite(fluid_->rho0))
         error->all(FLERR, "Fix aleisph: rho0 must be positive, not {}", value);
     } else if (key == "fluid") {
       read_fluid_file(value);
     } else
       error->all(FLERR, "Fix aleisph: unknown keyword {}", key);
   }
-  if (spacing_ == 0.0) error->all(FLERR, "Fix aleisph: keyword spacing is required");
-  if (fluid_.rho0 == 0.0) error->all(FLERR, "Fix aleisph: keyword rho0 or fluid is required");
+  if (spacing == 0.0) error->all(FLERR, "Fix aleisph: keyword spacing is required");
+  if (fluid_->rho0 == 0.0) error->all(FLERR, "Fix aleisph: keyword rho0 or fluid is required");
+  cloud_ = std::make_unique<aleisph::Cloud>(
+      aleisph::Kernel(kernel, domain->dimension, h_over_d * spacing), spacing, *timers_);
 }
 
 void FixAleisph::read_fluid_file(const char *filename)
@@ -106,7 +105,7 @@ void FixAleisph::read_fluid_file(const char *filename)
       message = "cannot be opened (looked here and in LAMMPS_POTENTIALS)";
     } else {
       units = utils::get_potential_units(path, "fluid property");
-      message = aleisph::read_fluid(in, fluid_);
+      message = aleisph::read_fluid(in, *fluid_);
       if (message.empty() && units.empty())
         message = "names no UNITS in its first line";
       else if (message.empty() && units != update->unit_style)
@@ -114,9 +113,9 @@ void FixAleisph::read_fluid_file(const char *filename)
                               update->unit_style);
     }
   }
-  double values[3] = {fluid_.rho0, fluid_.nu, fluid_.sigma};
+  double values[3] = {fluid_->rho0, fluid_->nu, fluid_->sigma};
   MPI_Bcast(values, 3, MPI_DOUBLE, 0, world);
-  fluid_ = {values[0], values[1], values[2]};
+  *fluid_ = {values[0], values[1], values[2]};
 
   int length = message.size();
   MPI_Bcast(&length, 1, MPI_INT, 0, world);
@@ -159,7 +158,7 @@ void FixAleisph::check_fluid_fix(const Fix *fix) const
 
 double FixAleisph::particle_mass() const
 {
-  return fluid_.rho0 * cloud_->volume();
+  return fluid_->rho0 * cloud_->volume();
 }
 
 bool FixAleisph::ready() const
@@ -173,11 +172,11 @@ void FixAleisph::init()
 {
   print_report();    // of the run before
   FixAleisph::find(lmp, "Fix aleisph");
-  scene_.clear();
+  scene_->clear();
   cloud_->set_floor(0.0);
   walls_located_ = false;
 
-  checks_.script();
+  checks_->script();
   reach_ = 0.0;
   require_reach(cloud_->kernel().support());
   request_list(this, cloud_->kernel().support());
@@ -214,7 +213,7 @@ void FixAleisph::require_reach(double reach)
 
 void FixAleisph::setup_pre_force(int)
 {
-  checks_.setup();
+  checks_->setup();
   // each frame of a rerun is another instant, without the pressure of the one before
   if (strcmp(input->command, "rerun") == 0) fields_->set_pressure_known(false);
   build_halo();
@@ -227,7 +226,7 @@ void FixAleisph::pre_force(int)
   const bool reneighbored = neighbor->ago == 0;
   if (reneighbored) build_halo();
   if (!reneighbored && !positions_changed()) return;
-  if (!reneighbored) checks_.refuse_late_lists();
+  if (!reneighbored) checks_->refuse_late_lists();
   rebuild();
 }
 
@@ -239,7 +238,7 @@ aleisph::CandidateList FixAleisph::candidates() const
 
 bool FixAleisph::positions_changed()
 {
-  if (scene_.moving()) return true;
+  if (scene_->moving()) return true;
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal + atom->nghost);
   return ranks_->any(x_built_.size() != n ||
                      (n && std::memcmp(x_built_.data(), &atom->x[0][0], n * sizeof(double)) != 0));
@@ -253,16 +252,16 @@ void FixAleisph::rebuild()
   restore_walls();
   constexpr int FAULTS = AleisphChecks::FAULTS;
   long long found[FAULTS + 1] = {};
-  checks_.find_faults(neighbor->ago == 0, found);
+  checks_->find_faults(neighbor->ago == 0, found);
   found[FAULTS] = walls_changed();
   ranks_->largest(FAULTS + 1, found);
-  checks_.refuse(found);
+  checks_->refuse(found);
   locate_walls(found[FAULTS]);
   mark_dry_walls();
-  cloud_->update(atom->x, candidates(), scene_.dry_rule());
+  cloud_->update(atom->x, candidates(), scene_->dry_rule());
   if (const long coincident = ranks_->sum(cloud_->stencil().coincident()))
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
-  if (scene_.moving() || n == 0)
+  if (scene_->moving() || n == 0)
     x_built_.clear();
   else
     x_built_.assign(&atom->x[0][0], &atom->x[0][0] + 3 * n);
@@ -286,7 +285,7 @@ void FixAleisph::assign_roles()
   const int *mask = atom->mask;
   cloud_->reset(atom->nlocal, n);
   Role *role = cloud_->role();
-  for (const auto &group : scene_.roles())
+  for (const auto &group : scene_->roles())
     for (int i = 0; i < n; i++)
       if (mask[i] & group.groupbit) role[i] |= group.role;
 }
@@ -295,8 +294,8 @@ void FixAleisph::assign_roles()
 
 void FixAleisph::complete_velocity(const aleisph::Field &v)
 {
-  if (scene_.conditions().empty()) ranks_->forward(v);
-  for (auto *condition : scene_.conditions()) condition->impose(v);
+  if (scene_->conditions().empty()) ranks_->forward(v);
+  for (auto *condition : scene_->conditions()) condition->impose(v);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -17,19 +17,26 @@ FixStyle(aleisph,FixAleisph);
 #ifndef LMP_FIX_ALEISPH_H
 #define LMP_FIX_ALEISPH_H
 
-#include "aleisph_cloud.h"
-#include "aleisph_fluid.h"
-#include "aleisph_halo_checks.h"
-#include "aleisph_halo_fields.h"
-#include "aleisph_mpi_ranks.h"
-#include "aleisph_scene.h"
 #include "fix.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace aleisph {
+class Cloud;
+class Field;
+class Ranks;
+class Scene;
+class Timers;
+struct CandidateList;
+struct FluidProperties;
+}    // namespace aleisph
+
 namespace LAMMPS_NS {
+
+class AleisphChecks;
+class AleisphFields;
 
 // What other styles count and the owner reports
 struct AleisphTally {
@@ -74,14 +81,14 @@ class FixAleisph : public Fix {
 
   // what the styles of this run contribute: they sign up in their init(), which comes after the
   // owner's
-  aleisph::Scene &scene() { return scene_; }
+  aleisph::Scene &scene() { return *scene_; }
   // neighbours up to this distance are asked for: ghosts must reach as far
   void require_reach(double reach);
   // a full neighbor list of this cutoff, for the run that begins
   void request_list(Fix *fix, double cutoff) const;
 
   // -- parameters
-  const aleisph::FluidProperties &fluid() const { return fluid_; }
+  const aleisph::FluidProperties &fluid() const { return *fluid_; }
   double particle_mass() const;
 
   // -- valid from pre_force on, until particles move or migrate
@@ -95,15 +102,10 @@ class FixAleisph : public Fix {
 
   AleisphFields &fields() { return *fields_; }
   aleisph::Ranks &ranks() { return *ranks_; }
-  aleisph::Timers &timers() { return timers_; }
+  aleisph::Timers &timers() { return *timers_; }
   AleisphTally &tally() { return tally_; }
 
  private:
-  struct Params {
-    aleisph::KernelType kernel;
-    double h_over_d;
-  };
-
   void parse(int narg, char **arg);
   void read_fluid_file(const char *filename);
   void set_masses();
@@ -126,21 +128,18 @@ class FixAleisph : public Fix {
   std::string traffic_report() const;
   std::string guard_report() const;
 
-  AleisphChecks checks_;
-  Params params_;
-  double spacing_;
-  aleisph::FluidProperties fluid_;
-
   class NeighList *list_;
-  aleisph::Scene scene_;
   double reach_;
   bool walls_located_;
   double own_cutoff_;    // ghost cutoff that this fix has set, 0 if none
 
-  aleisph::Timers timers_;
+  std::unique_ptr<aleisph::FluidProperties> fluid_;
+  std::unique_ptr<aleisph::Timers> timers_;
+  std::unique_ptr<aleisph::Scene> scene_;
   std::unique_ptr<aleisph::Cloud> cloud_;
   std::unique_ptr<aleisph::Ranks> ranks_;
   std::unique_ptr<AleisphFields> fields_;
+  std::unique_ptr<AleisphChecks> checks_;
   std::vector<double> x_built_;
   AleisphTally tally_;
   AleisphReport report_;

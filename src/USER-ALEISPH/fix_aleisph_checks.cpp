@@ -6,12 +6,12 @@
 
 #include "aleisph_halo_checks.h"
 
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_aleisph.h"
 #include "group.h"
 #include "modify.h"
 #include "molecule.h"

@@ -8,6 +8,7 @@
 
 #include "fix_aleisph.h"
 
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "comm.h"
 
@@ -31,7 +32,7 @@ void FixAleisph::build_halo()
   }
   halo_plan_ = source.data();
   {
-    aleisph::Timers::Scope scope(timers_, aleisph::Part::COMM);
+    aleisph::Timers::Scope scope(*timers_, aleisph::Part::COMM);
     comm->forward_comm(this, 2);
   }
   halo_plan_ = nullptr;

@@ -8,7 +8,7 @@
    from spacing and density. What the script sets later replaces it.
 ------------------------------------------------------------------------- */
 
-#include "fix_aleisph.h"
+#include "aleisph_halo_owner.h"
 
 #include "atom.h"
 #include "neighbor.h"
@@ -45,12 +45,13 @@ void FixAleisph::set_skin()
 {
   const auto found = DEFAULT_SKIN.find(update->unit_style);
   if (found == DEFAULT_SKIN.end() || neighbor->skin != found->second) return;
-  const double skin = neighbor->skin / spacing_;
-  if (skin < SMALLEST_SKIN || skin > LARGEST_SKIN) neighbor->skin = SKIN * spacing_;
+  const double skin = neighbor->skin / cloud_->spacing();
+  if (skin < SMALLEST_SKIN || skin > LARGEST_SKIN) neighbor->skin = SKIN * cloud_->spacing();
 }
 
 // Without a pair style LAMMPS has no size of its own, and would not sort.
 void FixAleisph::set_sorting()
 {
-  if (atom->sortfreq > 0 && atom->userbinsize == 0.0) atom->userbinsize = SORT_BIN * spacing_;
+  if (atom->sortfreq > 0 && atom->userbinsize == 0.0)
+    atom->userbinsize = SORT_BIN * cloud_->spacing();
 }

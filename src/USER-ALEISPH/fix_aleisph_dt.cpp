@@ -6,9 +6,9 @@
 
 #include "fix_aleisph_dt.h"
 
+#include "aleisph_halo_owner.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_aleisph.h"
 #include "force.h"
 #include "group.h"
 #include "modify.h"

@@ -17,8 +17,8 @@ FixStyle(aleisph/guard,FixAleisphGuard);
 #define LMP_FIX_ALEISPH_GUARD_H
 
 #include "aleisph_guards.h"
+#include "aleisph_scene.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 #include <array>
 #include <vector>
@@ -60,7 +60,7 @@ class FixAleisphGuard : public Fix, private aleisph::PressureGuard {
   double walls_, collision_, symmetric_, cap_;    // 0: off
   bool limit_pressure_, selfterm_, started_, shifted_;
   double least_pressure_;
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   std::array<Record, NUM_GUARDS> records_;
   std::vector<double> work_, counts_, inverse_, gauge_;
 };

@@ -6,13 +6,13 @@
 
 #include "fix_aleisph_ppe.h"
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_halo_solver.h"
 #include "aleisph_lattice.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_aleisph.h"
 #include "group.h"
 #include "modify.h"
 #include "update.h"

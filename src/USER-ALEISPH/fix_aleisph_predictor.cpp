@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_predictor.h"
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_halo_solver.h"
 #include "atom.h"
 #include "comm.h"

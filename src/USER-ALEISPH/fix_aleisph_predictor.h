@@ -21,8 +21,9 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 #ifndef LMP_FIX_ALEISPH_PREDICTOR_H
 #define LMP_FIX_ALEISPH_PREDICTOR_H
 
+#include "aleisph_csr.h"
+#include "aleisph_scene.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 #include <array>
 #include <memory>
@@ -88,7 +89,7 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   double advisable_time_step() const;
 
   Params params_;
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   double nu_;               // in force
   double viscous_limit_;    // time step at which explicit viscosity is unstable on the lattice
   double previous_dt_;      // of the stored acceleration, 0 if there is none

@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_pressure.h"
 
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "domain.h"
 #include "error.h"

@@ -18,8 +18,8 @@ FixStyle(aleisph/pressure,FixAleisphPressure);
 #ifndef LMP_FIX_ALEISPH_PRESSURE_H
 #define LMP_FIX_ALEISPH_PRESSURE_H
 
+#include "aleisph_scene.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 #include <string>
 #include <vector>
@@ -48,7 +48,7 @@ class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
   std::string variable_;             // equal or atom style, empty if constant
   int buffer_group_, buffer_bit_;    // index and bit of the buffer's group; -1, 0 if there is none
   double towards_[3];                // unit vector from the buffer to the fluid
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   long version_;                        // of the positions that the sources belong to
   std::vector<int> buffer_, source_;    // owned buffer particles and what they copy
   std::vector<int> slot_;               // per owned particle: index into buffer_, or -1

@@ -15,6 +15,7 @@
 
 #include "fix_aleisph.h"
 
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -62,7 +63,7 @@ int FixAleisph::modify_param(int narg, char **arg)
 
 void FixAleisph::begin_report()
 {
-  timers_.reset();
+  timers_->reset();
   ranks_->traffic() = aleisph::Traffic();
   report_.post = post_keyword(lmp, report_.post);
 }
@@ -88,7 +89,7 @@ std::string FixAleisph::time_report() const
   double seconds[aleisph::NUM_PARTS];
   double total = 0.0;
   for (int k = 1; k < aleisph::NUM_PARTS; k++)
-    seconds[k] = timers_.seconds(static_cast<Part>(k)) / comm->nprocs;
+    seconds[k] = timers_->seconds(static_cast<Part>(k)) / comm->nprocs;
   MPI_Allreduce(MPI_IN_PLACE, seconds + 1, aleisph::NUM_PARTS - 1, MPI_DOUBLE, MPI_SUM, world);
   for (int k = 1; k < aleisph::NUM_PARTS; k++) total += seconds[k];
 

@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_shift.h"
 
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"

@@ -18,9 +18,9 @@ FixStyle(aleisph/shift,FixAleisphShift);
 #ifndef LMP_FIX_ALEISPH_SHIFT_H
 #define LMP_FIX_ALEISPH_SHIFT_H
 
+#include "aleisph_scene.h"
 #include "aleisph_shift.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 #include <set>
 #include <string>
@@ -59,7 +59,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double velocity_;              // U if given as a number
   std::string variable_;         // or its name
   std::string scale_;            // or max or head; empty: not given
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   bool started_;    // d2_aleisph_u has been set, now or before a restart
   double coefficient_, limited_total_;
   int limited_;

@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_surface.h"
 
+#include "aleisph_halo_owner.h"
 #include "error.h"
 #include "modify.h"
 #include "utils.h"

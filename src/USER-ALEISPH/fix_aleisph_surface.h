@@ -16,9 +16,9 @@ FixStyle(aleisph/surface,FixAleisphSurface);
 #ifndef LMP_FIX_ALEISPH_SURFACE_H
 #define LMP_FIX_ALEISPH_SURFACE_H
 
+#include "aleisph_scene.h"
 #include "aleisph_surface.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 namespace LAMMPS_NS {
 
@@ -38,7 +38,7 @@ class FixAleisphSurface : public Fix {
   aleisph::SurfaceParams params_;
   aleisph::FreeSurface surface_;
   double offset_, reach_;    // as given, < 0: the default
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   long version_;    // of the positions that the flags belong to
   aleisph::SurfaceCount count_;
 };

@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_tension.h"
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_surface_hold.h"
 #include "aleisph_tension_published.h"
 #include "aleisph_tension_roughness.h"

@@ -16,9 +16,9 @@ FixStyle(aleisph/tension,FixAleisphTension);
 #ifndef LMP_FIX_ALEISPH_TENSION_H
 #define LMP_FIX_ALEISPH_TENSION_H
 
+#include "aleisph_scene.h"
 #include "aleisph_tension.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 #include <memory>
 #include <string>
@@ -85,7 +85,7 @@ class FixAleisphTension :
   bool pressure_form_, force_form_, viscous_, form_given_, viscous_given_;
   std::vector<Angle> angles_;
 
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   class NeighList *list_;
   std::unique_ptr<aleisph::TensionModel> model_;
   bool walls_;

@@ -8,6 +8,7 @@
 
 #include "fix_aleisph_tension.h"
 
+#include "aleisph_halo_owner.h"
 #include "atom.h"
 #include "error.h"
 #include "group.h"

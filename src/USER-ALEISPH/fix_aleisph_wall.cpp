@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_wall.h"
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_normals.h"
 #include "atom.h"
 #include "comm.h"

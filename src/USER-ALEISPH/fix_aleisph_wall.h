@@ -16,8 +16,8 @@ FixStyle(aleisph/wall,FixAleisphWall);
 #ifndef LMP_FIX_ALEISPH_WALL_H
 #define LMP_FIX_ALEISPH_WALL_H
 
+#include "aleisph_scene.h"
 #include "fix.h"
-#include "fix_aleisph.h"
 
 #include <array>
 #include <string>
@@ -57,7 +57,7 @@ class FixAleisphWall : public Fix, public aleisph::NormalFinder {
   bool slip_, curlcurl_, prescribed_;
   std::array<Component, 3> velocity_;
   std::string given_;    // name of the custom property, empty: automatic
-  FixAleisph *owner_;
+  class FixAleisph *owner_;
   bool searched_;    // normals were looked for since they were last checked
   bool warned_;      // in this run
   // of this rank, at the last search: normals that are not from facets, not known, and at odds

@@ -9,6 +9,7 @@
 
 #include "fix_aleisph.h"
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_wall_dry.h"
 #include "atom.h"
 #include "neigh_list.h"
@@ -38,7 +39,7 @@ bool is_zero(const double *n)
 
 void FixAleisph::restore_walls()
 {
-  if (scene_.walls().empty()) return;
+  if (scene_->walls().empty()) return;
   const double *stored = fields_->wall_normals();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(cloud_->role()[i] & aleisph::WALL)) continue;
@@ -50,7 +51,7 @@ void FixAleisph::restore_walls()
 // of this rank
 bool FixAleisph::walls_changed()
 {
-  if (scene_.walls().empty()) return false;
+  if (scene_->walls().empty()) return false;
   bool changed = !walls_located_;
   for (int i = 0; i < atom->nlocal && !changed; i++)
     if (cloud_->role()[i] & aleisph::WALL)
@@ -61,8 +62,8 @@ bool FixAleisph::walls_changed()
 
 void FixAleisph::locate_walls(bool changed)
 {
-  if (scene_.walls().empty()) return;
-  aleisph::Timers::Scope scope(timers_, Part::OPERATORS);
+  if (scene_->walls().empty()) return;
+  aleisph::Timers::Scope scope(*timers_, Part::OPERATORS);
   if (changed) {
     find_normals();
     double *stored = fields_->wall_normals();
@@ -94,7 +95,7 @@ void FixAleisph::find_normals()
     ranks_->forward(cloud_->normal(), 3);
     ranks_->forward(cloud_->shape(), 1);
     found = 0;
-    for (auto *walls : scene_.walls()) found += walls->find_normals(stencil, previous.data());
+    for (auto *walls : scene_->walls()) found += walls->find_normals(stencil, previous.data());
     found = ranks_->sum(found);
   }
   tally_.wall_passes++;
@@ -102,9 +103,9 @@ void FixAleisph::find_normals()
 
 void FixAleisph::mark_dry_walls()
 {
-  if (!scene_.dry_rule()) return;
-  aleisph::Timers::Scope scope(timers_, Part::STENCIL);
-  tally_.dry_walls = aleisph::mark_dry_walls(atom->x, candidates(), scene_.surface().dry_reach,
+  if (!scene_->dry_rule()) return;
+  aleisph::Timers::Scope scope(*timers_, Part::STENCIL);
+  tally_.dry_walls = aleisph::mark_dry_walls(atom->x, candidates(), scene_->surface().dry_reach,
                                              *cloud_);
   ranks_->forward_roles(*cloud_);
 }

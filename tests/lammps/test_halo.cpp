@@ -7,7 +7,7 @@
 #include "aleisph_mpi_halo.h"
 #include "atom.h"
 #include "comm.h"
-#include "fix_aleisph.h"
+#include "aleisph_halo_owner.h"
 #include "script.h"
 #include "simulation.h"
 

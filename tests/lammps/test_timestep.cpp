@@ -7,7 +7,7 @@
 #include "aleisph_lattice.h"
 #include "aleisph_timestep.h"
 #include "errors.h"
-#include "fix_aleisph.h"
+#include "aleisph_halo_owner.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"
