@@ -11,6 +11,7 @@
 #include "aleisph_guards.h"
 
 #include "aleisph_cloud.h"
+#include "aleisph_nearest.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
@@ -113,10 +114,10 @@ WallNeighbours holding(const WallNeighbours &walls, double distance, double d)
 {
   WallNeighbours found;
   if (walls.empty()) return found;
-  const auto nearest = std::min_element(walls.begin(), walls.end(),
-                                        [](const WallNeighbour &a, const WallNeighbour &b) {
-                                          return a.end.squaredNorm() < b.end.squaredNorm();
-                                        });
+  const auto nearest = std::min_element(
+      walls.begin(), walls.end(), [d](const WallNeighbour &a, const WallNeighbour &b) {
+        return nearer(a.end.norm(), a.end, b.end.norm(), b.end, d);
+      });
   for (const WallNeighbour &wall : walls)
     if (wall.s < distance && below(wall, *nearest, d)) found.push_back(wall);
   return found;
@@ -135,10 +136,10 @@ Held hold(const WallNeighbours &walls, const Vec3 &v_i, double d)
     return wall.target - (wall.s + held.dx.dot(wall.n));
   };
   for (int pass = 0; pass < MAX_PASSES; pass++) {
-    const auto worst = std::max_element(walls.begin(), walls.end(),
-                                        [&missing](const WallNeighbour &a, const WallNeighbour &b) {
-                                          return missing(a) < missing(b);
-                                        });
+    const auto worst = std::min_element(
+        walls.begin(), walls.end(), [&missing, d](const WallNeighbour &a, const WallNeighbour &b) {
+          return nearer(-missing(a), a.end, -missing(b), b.end, d);
+        });
     if (!(missing(*worst) > TOLERANCE * d)) break;
     held.dx += missing(*worst) * worst->n;
     held.dv -= std::min((v_i + held.dv - worst->v).dot(worst->n), 0.0) * worst->n;

@@ -46,6 +46,7 @@ class Images {
 
  private:
   void add(int i, int k, Role kind, double side);
+  void remove_duplicates();
   bool taken(int i, int k, Role kind, const Eigen::Vector3d &r) const;
 
   const Stencil &s_;

@@ -14,6 +14,8 @@ namespace {
 using Vec3 = Eigen::Vector3d;
 
 // A mean of directions shorter than this has no direction.
+// sums of votes that differ by less, relative, are equal up to rounding
+constexpr double SAME_VOTES = 1.0e-9;
 constexpr double NO_DIRECTION = 1.0e-6;
 
 // The centre of a square of wall particles is at 0.707 d from them: a line that passes closer to
@@ -84,11 +86,15 @@ bool can_see(const Wall &wall, int i, int k)
   return true;
 }
 
+// the first of those with the most votes, up to rounding; sides are numbered by their places
 int largest(const std::vector<double> &votes)
 {
-  const auto most = std::max_element(votes.begin(), votes.end());
-  return most != votes.end() && *most > 0.0 ? static_cast<int>(most - votes.begin())
-                                            : WallFan::NONE;
+  if (votes.empty()) return WallFan::NONE;
+  const double most = *std::max_element(votes.begin(), votes.end());
+  if (!(most > 0.0)) return WallFan::NONE;
+  const auto first = std::find_if(votes.begin(), votes.end(),
+                                  [most](double n) { return n >= (1.0 - SAME_VOTES) * most; });
+  return static_cast<int>(first - votes.begin());
 }
 
 int side_of_fluid(const Wall &wall, int i, const WallFan &fan)

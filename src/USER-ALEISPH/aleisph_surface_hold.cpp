@@ -2,6 +2,7 @@
 
 #include "aleisph_surface_hold.h"
 
+#include "aleisph_nearest.h"
 #include "aleisph_vectors.h"
 #include "aleisph_wall_cone.h"
 
@@ -22,6 +23,7 @@ int walls_below(const Cloud &cloud, int i, double reach, std::vector<Vec> &walls
   walls.clear();
   int nearest = -1;
   double closest = reach;
+  Vec place = Vec::Zero();
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
     if (!(cloud.role()[j] & WALL)) continue;
@@ -29,8 +31,9 @@ int walls_below(const Cloud &cloud, int i, double reach, std::vector<Vec> &walls
     const double height = n.dot(r);
     if (height >= reach || height < -0.5 * d || (r - height * n).norm() > ABOVE * d) continue;
     walls.push_back(n);
-    if (nearest >= 0 && height >= closest) continue;
+    if (nearest >= 0 && !nearer(height, r, closest, place, d)) continue;
     closest = height;
+    place = r;
     nearest = j;
   }
   return nearest;

@@ -2,6 +2,7 @@
 
 #include "aleisph_tension_contact_continuation.h"
 
+#include "aleisph_nearest.h"
 #include "aleisph_tension_contact_walls.h"
 #include "aleisph_vectors.h"
 
@@ -79,15 +80,15 @@ void contact_planes(const Cloud &cloud, const WideStencil &wide, const double *c
     plane[2 * j] = (role & DRY) ? COVERED : -COVERED;
     plane[2 * j + 1] = 0.0;
     const Vector3d n = at(cloud.normal(), j);
-    double nearest2 = 0.0;
+    double nearest = 0.0;
     int pair = -1;
     for (int k = s.begin(j); k < s.end(j); k++) {
       if (contact[4 * s.col()[k] + 3] == 0.0) continue;
       const Vector3d r = separation(s, k);
       if (-r.dot(n) >= params.reach * d) continue;    // a particle on another wall
-      const double along2 = (r - r.dot(n) * n).squaredNorm();
-      if (pair >= 0 && along2 >= nearest2) continue;
-      nearest2 = along2;
+      const double along = (r - r.dot(n) * n).norm();
+      if (pair >= 0 && !nearer(along, r, nearest, separation(s, pair), d)) continue;
+      nearest = along;
       pair = k;
     }
     if (pair < 0) continue;

@@ -2,6 +2,7 @@
 
 #include "aleisph_tension_contact_walls.h"
 
+#include "aleisph_nearest.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
@@ -46,31 +47,38 @@ bool ContactWalls::belongs(int k, const Vector3d *face) const
   return !face || (!is_edge(k) && normal_at(k).dot(*face) > SAME_WALL);
 }
 
+// of two pairs of the same row
+bool ContactWalls::is_nearer(int k, int m) const
+{
+  return nearer(s_.r()[k], separation(s_, k), s_.r()[m], separation(s_, m), cloud_.spacing());
+}
+
 int ContactWalls::nearest_pair(int i, const Vector3d *face) const
 {
   int nearest = -1;
   for (int k = s_.begin(i); k < s_.end(i); k++)
-    if (belongs(k, face) && (nearest < 0 || s_.r()[k] < s_.r()[nearest])) nearest = k;
+    if (belongs(k, face) && (nearest < 0 || is_nearer(k, nearest))) nearest = k;
   return nearest;
 }
 
 std::vector<ContactWalls::Face> ContactWalls::faces(int i, int k) const
 {
   const double d = cloud_.spacing();
-  std::vector<Face> found;
+  std::vector<Face> all, found;
   if (!is_edge(k)) return found;
   for (int m = s_.begin(i); m < s_.end(i); m++) {
     if (!(cloud_.role()[s_.col()[m]] & WALL) || is_edge(m)) continue;
     const Vector3d r = separation(s_, m) - separation(s_, k), n = normal_at(m);
     const Face face = {n, m, r.norm()};
-    if (face.distance >= NEXT * d || std::abs(r.dot(n)) >= IN_PLANE * d) continue;
-    const auto known = std::find_if(found.begin(), found.end(),
-                                    [&n](const Face &f) { return f.n.dot(n) > SAME_FACE; });
-    if (known == found.end())
-      found.push_back(face);
-    else if (face.distance < known->distance)
-      *known = face;
+    if (face.distance < NEXT * d && std::abs(r.dot(n)) < IN_PLANE * d) all.push_back(face);
   }
+  std::stable_sort(all.begin(), all.end(), [&](const Face &a, const Face &b) {
+    return nearer(a.distance, separation(s_, a.pair), b.distance, separation(s_, b.pair), d);
+  });
+  for (const Face &face : all)
+    if (std::none_of(found.begin(), found.end(),
+                     [&face](const Face &f) { return f.n.dot(face.n) > SAME_FACE; }))
+      found.push_back(face);
   return found;
 }
 
@@ -83,12 +91,11 @@ std::vector<Vector3d> ContactWalls::face_normals(int i) const
   for (int k = s_.begin(i); k < s_.end(i); k++) {
     if (is_edge(k))
       edges.push_back(k);
-    else if ((cloud_.role()[s_.col()[k]] & WALL) && (nearest < 0 || s_.r()[k] < s_.r()[nearest]))
+    else if ((cloud_.role()[s_.col()[k]] & WALL) && (nearest < 0 || is_nearer(k, nearest)))
       nearest = k;
   }
   if (edges.empty() || nearest < 0) return {};
-  std::stable_sort(edges.begin(), edges.end(),
-                   [this](int a, int b) { return s_.r()[a] < s_.r()[b]; });
+  std::stable_sort(edges.begin(), edges.end(), [this](int a, int b) { return is_nearer(a, b); });
   std::vector<Vector3d> normals = {normal_at(nearest)};
   for (const int k : edges)
     for (const Face &face : faces(i, k))
@@ -138,8 +145,10 @@ std::vector<ContactWall> ContactWalls::walls(int i, double depth) const
     ContactWall next;
     if (wall(i, depth, &n, next)) all.push_back(next);
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const ContactWall &a, const ContactWall &b) { return a.height < b.height; });
+  const double d = cloud_.spacing();
+  std::stable_sort(all.begin(), all.end(), [d](const ContactWall &a, const ContactWall &b) {
+    return nearer(a.height, d * a.n, b.height, d * b.n, d);
+  });
   for (size_t a = 0; a < all.size(); a++)
     all.erase(std::remove_if(all.begin() + a + 1, all.end(),
                              [&](const ContactWall &w) { return w.n.dot(all[a].n) < OPPOSITE; }),

@@ -54,6 +54,7 @@ class ContactWalls {
   std::vector<ContactWall> walls(int i, double depth) const;
   std::vector<Eigen::Vector3d> face_normals(int i) const;
   bool wall(int i, double depth, const Eigen::Vector3d *face, ContactWall &found) const;
+  bool is_nearer(int k, int m) const;
   int nearest_pair(int i, const Eigen::Vector3d *face) const;
   bool belongs(int k, const Eigen::Vector3d *face) const;
   bool is_edge(int k) const;

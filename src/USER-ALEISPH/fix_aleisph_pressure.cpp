@@ -7,6 +7,8 @@
 #include "fix_aleisph_pressure.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_nearest.h"
+#include "aleisph_vectors.h"
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
@@ -168,18 +170,17 @@ int FixAleisphPressure::nearest_source(int i) const
   const auto &s = owner_->cloud().stencil();
   const double d = owner_->cloud().spacing();
   const aleisph::Role *role = owner_->cloud().role();
-  double best = MAX_OFFSET * MAX_OFFSET * d * d;
+  double best = MAX_OFFSET * d;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
   int source = -1;
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
     if (role[j] & aleisph::WALL) continue;
-    double square = 0.0;
-    for (int a = 0; a < s.dim(); a++) {
-      const double miss = -s.r()[k] * s.e(a)[k] - d * towards_[a];
-      square += miss * miss;
-    }
-    if (square < best) {
-      best = square;
+    const Eigen::Vector3d r = -aleisph::separation(s, k);
+    const double miss = (r - d * Eigen::Vector3d(towards_)).norm();
+    if (miss < MAX_OFFSET * d && (source < 0 || aleisph::nearer(miss, r, best, place, d))) {
+      best = miss;
+      place = r;
       source = j;
     }
   }
