@@ -8,6 +8,7 @@ vectors    the page numbers the components of a global vector from 1 to size_vec
 errors     every message of the package stands on the page Errors_aleisph.rst
 readme     README.md names every style and every example; its pictures and links exist
 files      the Howto says where every source file belongs
+contribute CONTRIBUTING.md names only files, classes and functions that exist
 ascii      the pages are plain ASCII, in lines of at most 100 characters
 Prints what is missing; the exit status is 1 if there is anything.
 """
@@ -149,6 +150,24 @@ def check_files():
             yield f"Howto_aleisph.rst does not say where {name} belongs"
 
 
+def check_contributing():
+    text = (TOP / "CONTRIBUTING.md").read_text()
+    new = re.findall(r"new files?\s+`([^`]+)`", text)
+    sources = list(PACKAGE.iterdir()) + sorted((TOP / "tests" / "numerics").glob("*.h"))
+    code = "\n".join(path.read_text() for path in sources)
+    for word in sorted(set(re.findall(r"`([^`\s]+)`", text)) - set(new)):
+        if re.fullmatch(r"(fix_|compute_)?aleisph_\w*(\*|\.(h|cpp|\*))", word):
+            found = list(PACKAGE.glob(word.replace("NAME", "*")))
+        elif re.match(r"(tests|examples|doc|src|bench|tools|plugin|cmake)/[^<]*$", word):
+            found = list(TOP.glob(word.rstrip("/")))
+        elif re.fullmatch(r"[\w:]+\(\w*\)|[A-Z]\w*(::\w+)?", word):
+            found = re.search(rf"\b{re.split('::', word.split('(')[0])[-1]}\b", code)
+        else:
+            continue
+        if not found:
+            yield f"CONTRIBUTING.md names {word}, which does not exist"
+
+
 def check_ascii():
     for path in sorted(DOC.glob("*.rst")) + [README]:
         for number, line in enumerate(path.read_bytes().splitlines(), 1):
@@ -162,7 +181,7 @@ def main():
     if not styles() or not list(messages()):
         sys.exit(f"no styles or no messages found in {PACKAGE}")
     checks = (check_pages, check_keywords, check_vectors, check_errors, check_readme, check_files,
-              check_ascii)
+              check_contributing, check_ascii)
     missing = [line for check in checks for line in check()]
     print("\n".join(missing) or f"{len(styles())} styles, {len(list(messages()))} messages: ok")
     sys.exit(1 if missing else 0)
