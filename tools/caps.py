@@ -30,7 +30,7 @@ import sys
 from pathlib import Path
 
 import pendant
-from dumps import finite_rows, last_snapshot, need_columns, need_time
+from dumps import finite_rows, last_snapshot, need_columns, need_time, snapshots
 from series import attempt, mean, print_command
 
 NEEDED = {"sessile": ("x", "y", "z", "surface", "d_aleisph_p"),    # columns
@@ -41,6 +41,15 @@ REST = 0.02        # rms velocity of a fluid at rest, over sqrt(sigma/(rho d_dro
 
 
 # --- frames ---------------------------------------------------------------------------------------
+
+def first_rows(path, time, options, needed):
+    """Fluid in the first snapshot of a dump, if that was before this time."""
+    first = next(snapshots(path))
+    if not need_time(first, path) < time:
+        return []
+    fluid = [row for row in first.dicts() if row["type"] == options.fluid]
+    return finite_rows(fluid, needed, f"{path}, step {first.step}")
+
 
 def last_frame(path):
     """(time, [length of the box or None where it is not periodic], rows) of the last snapshot."""
@@ -186,7 +195,7 @@ def cap_lines(rows, time, options, exact):
     return lines, outline
 
 
-def sessile(rows, time, options, _lost=0):
+def sessile(rows, time, options):
     """Result lines, and the outline of the exact cap over the fitted centre."""
     exact = exact_cap(len(rows), options.d, math.radians(options.angle), options.dim)
     outline = []
@@ -236,21 +245,33 @@ def apex_depth(rows, d, axis):
     return least_squares(lines, values)[0]
 
 
-def explodes(rows, lost, options, size):
-    """Whether the drop has flown apart (see above).
+def kinetic(rows):
+    """Per mass."""
+    return 0.5 * mean([row["vx"]**2 + row["vy"]**2 + row["vz"]**2 for row in rows])
 
-    The fluid starts at rest below the ceiling, z = 0. So gravity has set free at most g times the
-    mean depth, and surface tension at most the energy of the surface at the start, for which twice
-    that of a cube is taken, 12 sigma size^2: a sheet half as thick as a cube of its volume.
+
+def surface_release(degrees):
+    """Energy that surface tension can set free, over sigma size^2, with size^3 the volume.
+
+    The least that a drop on a wall can have is that of the cap, 3 V/R. A cube that hangs by a face has
+    5 - cos(angle), the wet face counted; half a unit more is allowed for other shapes at the start.
     """
+    angle = math.radians(degrees)
+    return max(0.0, 5.5 - math.cos(angle) - 3.0 * cap_volume(1.0, angle, 3)**(1.0 / 3.0))
+
+
+def explodes(rows, lost, options, size, start):
+    """Whether the drop has flown apart (see above). start: the same particles earlier; none: at rest
+    at the ceiling, z = 0. From then on gravity has set free g times what the fluid has sunk."""
     count = len(rows)
-    square = sum(row["vx"]**2 + row["vy"]**2 + row["vz"]**2 for row in rows) / count
-    depth = max(0.0, -sum(row["z"] for row in rows) / count)
-    free = options.g * depth + 12.0 * options.sigma / (options.rho * size)
+    before, height = (kinetic(start), mean([row["z"] for row in start])) if start else (0.0, 0.0)
+    sunk = max(0.0, height - mean([row["z"] for row in rows]))
+    free = before + options.g * sunk
+    free += surface_release(options.angle) * options.sigma / (options.rho * size)
     middle = drop_axis(rows, options)
     astray = lost + sum(row["z"] > options.d or math.dist((row["x"], row["y"]), middle) > ASIDE * size
                         for row in rows)
-    return 0.5 * square > free or astray > 0.1 * (count + lost)
+    return kinetic(rows) > free or astray > 0.1 * (count + lost)
 
 
 def drop_axis(rows, options):
@@ -260,14 +281,14 @@ def drop_axis(rows, options):
     return tuple(sorted(row[a] for row in rows)[len(rows) // 2] for a in "xy")
 
 
-def verdict(rows, time, options, length, lost=0):
+def verdict(rows, options, length, lost=0, start=()):
     """explodes, falls, hangs or moves (see above), and the rms velocity in units of the drop."""
     if not rows:
         return "explodes", math.nan
     size = (options.copies * (len(rows) + lost) * options.d**3)**(1.0 / 3.0)
     unit = math.sqrt(options.sigma / (options.rho * size))
-    speed = math.sqrt(sum(row["vx"]**2 + row["vy"]**2 + row["vz"]**2 for row in rows) / len(rows))
-    if explodes(rows, lost, options, size):
+    speed = math.sqrt(2.0 * kinetic(rows))
+    if explodes(rows, lost, options, size, start):
         return "explodes", speed / unit
     deep = sum(-row["z"] > REACH * length for row in rows)
     if deep > 0.1 * len(rows):
@@ -295,10 +316,10 @@ def drop_lines(rows, time, options, length):
     return lines, [(axis[0] - r, z) for r, z in reversed(half)] + [(axis[0] + r, z) for r, z in half]
 
 
-def hanging(rows, time, options, lost=0):
+def hanging(rows, time, options, lost=0, start=()):
     """Result lines, and the outline of the exact drop if there is one."""
     length = math.sqrt(options.sigma / (options.rho * options.g))
-    word, speed = verdict(rows, time, options, length, lost)
+    word, speed = verdict(rows, options, length, lost, start)
     lines = [other("hanging-drop", "verdict", time, options.angle, f"value={word}"),
              other("hanging-drop", "speed", time, options.angle, f"value={speed:.4g}")]
     outline = []
@@ -340,8 +361,11 @@ def main():
         sys.exit(f"{options.dump} has no particle of type {options.fluid}")
     needed = [name for name in fluid[0] if name in NEEDED[options.kind]]
     rows = joined(finite_rows(fluid, needed, options.dump), lengths)
-    measure = sessile if options.kind == "sessile" else hanging
-    lines, outline = measure(rows, time, options, len(fluid) - len(rows))
+    if options.kind == "sessile":
+        lines, outline = sessile(rows, time, options)
+    else:
+        start = first_rows(options.dump, time, options, needed)
+        lines, outline = hanging(rows, time, options, len(fluid) - len(rows), start)
     if options.commands:
         Path(options.commands).write_text("".join(lines), encoding="ascii")
     else:

@@ -139,14 +139,14 @@ class OnWalls(Tools):
                                     "--sigma", 1, "--dim", 2, "--outline", self.folder / "outline")
             self.assertTrue({"angle", "height", "radius", "p"} <= set(self.quantities(text)))
 
-    def hang(self, change, count=4000):
+    def hang(self, change, count=4000, start=()):
         """Verdict on a cube of count particles under the ceiling, 0.2 mm apart, after a change."""
         side, rows = round(count**(1 / 3)), []
         for k in range(side**3):
             place = [2e-4 * a for a in (k % side - side / 2, k // side % side - side / 2,
                                         -(k // side**2) - 1)]
             rows.append(change([k + 1, 1, *place, 0, 0, 0, 0, 0, 0, 0, 0.0], k))
-        text, _ = self.run_tool(caps, "pendant", self.dump(rows), "--d", 2e-4, "--angle", 60,
+        text, _ = self.run_tool(caps, "pendant", self.dump(*start, rows), "--d", 2e-4, "--angle", 60,
                                 "--sigma", 0.07, "--rho", 1000, "--g", 5)
         return self.quantities(text)["verdict"].split("value=")[1].split()[0]
 
@@ -171,6 +171,10 @@ class OnWalls(Tools):
                              (4, lambda k: math.nan if k % 5 == 0 else 0.0),
                              (4, lambda k: math.nan)):
             self.assertEqual(self.hang(change(index, value)), "explodes")
+        # the same velocity at the same place, without having sunk since the first snapshot
+        flat = [[1, 1, 0, 0, -0.02, 0, 0, 0, 0, 0, 0, 0, 0.0]]
+        fast = change(7, lambda k: -0.447)
+        self.assertEqual(self.hang(lambda row, k: fast(fallen(row, k), k), start=[flat]), "explodes")
         # single particles make no explosion
         self.assertEqual(self.hang(change(4, lambda k: -1.0 if k == 7 else 0.0)), "hangs")
 

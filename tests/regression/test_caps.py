@@ -167,7 +167,7 @@ class Hanging(unittest.TestCase):
     def test_verdicts(self):
         length = math.sqrt(0.07 / 5000.0)
         for depth, speed, word in ((3e-3, 0.0, "hangs"), (3e-3, 0.1, "moves"), (9e-3, 0.0, "falls")):
-            self.assertEqual(caps.verdict(self.rows(depth, speed), 1.0, self.options(), length)[0],
+            self.assertEqual(caps.verdict(self.rows(depth, speed), self.options(), length)[0],
                              word)
 
     def test_apex(self):
