@@ -13,11 +13,9 @@
 #include "domain.h"
 #include "error.h"
 #include "group.h"
-#include "input.h"
 #include "modify.h"
 #include "update.h"
 #include "utils.h"
-#include "variable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +111,10 @@ void FixAleisphPredictor::parse(int narg, char **arg)
     } else if (key == "preconditioner") {
       solver_->parse_preconditioner(value);    // of the implicit solve
     } else if (key == "transport") {
-      for (int a = 0; a < 3; a++) params_.transport[a] = arg[iarg + 1 + a];
+      params_.transport.clear();
+      for (int a = 1; a <= 3; a++)
+        params_.transport.emplace_back(lmp, "Fix aleisph/predictor", "keyword transport",
+                                       AleisphVariable::Kind::EQUAL_OR_ATOM, arg[iarg + a]);
     } else
       error->all(FLERR, "Fix aleisph/predictor: unknown keyword {}", key);
     iarg += 1 + nvalues;
@@ -176,6 +177,7 @@ void FixAleisphPredictor::init()
   if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->fluid().rho0 : params_.nu;
   owner_->scene().set_viscosity(nu_);
   viscous_version_ = -1;
+  for (const auto &component : params_.transport) component.check();
   check_shift();
   check_other_integrators();
   const auto &cloud = owner_->cloud();
@@ -270,21 +272,13 @@ void FixAleisphPredictor::end_of_step()
 void FixAleisphPredictor::evaluate_transport()
 {
   double *w = owner_->fields().property(TRANSPORT);
-  std::vector<double> values(atom->nlocal);
+  std::vector<double> values;
+  const auto &transport = params_.transport;
+  const bool varies = std::any_of(transport.begin(), transport.end(),
+                                  [](const AleisphVariable &c) { return !c.constant(); });
+  const AleisphVariable::Evaluation evaluation(lmp, varies);
   for (int a = 0; a < domain->dimension; a++) {
-    const std::string &word = params_.transport[a];
-    if (!utils::strmatch(word, "^v_")) {
-      values.assign(atom->nlocal, utils::numeric(FLERR, word, false, lmp));
-    } else {
-      const int ivar = input->variable->find(word.c_str() + 2);
-      if (ivar >= 0 && input->variable->equalstyle(ivar))
-        values.assign(atom->nlocal, input->variable->compute_equal(ivar));
-      else if (ivar >= 0 && input->variable->atomstyle(ivar))
-        input->variable->compute_atom(ivar, igroup, values.data(), 1, 0);
-      else
-        error->all(FLERR, "Fix aleisph/predictor: {} is not an equal- or atom-style variable",
-                   word);
-    }
+    transport[a].evaluate(igroup, values);
     for (int i = 0; i < atom->nlocal; i++) w[3 * i + a] = values[i];
   }
   owner_->require_finite(w, "Fix aleisph/predictor", "transport velocity");

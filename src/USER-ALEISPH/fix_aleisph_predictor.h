@@ -22,10 +22,10 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 #define LMP_FIX_ALEISPH_PREDICTOR_H
 
 #include "aleisph_csr.h"
+#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -59,11 +59,11 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
     double theta = 0.0;            // share of the new time level in nu lap v; 0 explicit
     bool ab2 = false;              // explicit terms by Adams-Bashforth 2 instead of forward Euler
     double tolerance = 1.0e-12;    // of the implicit solve, relative to |v|
-    std::array<std::string, 3> transport;    // equal- or atom-style variables, or numbers
+    std::vector<AleisphVariable> transport;    // 3 components, or none: not prescribed
   };
 
   void parse(int narg, char **arg);
-  bool prescribed() const { return !params_.transport[0].empty(); }
+  bool prescribed() const { return !params_.transport.empty(); }
   bool shifted() const { return params_.frame == Frame::ALE && !prescribed(); }
   void check_transport() const;
   void check_shift() const;

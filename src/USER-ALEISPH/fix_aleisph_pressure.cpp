@@ -13,10 +13,8 @@
 #include "domain.h"
 #include "error.h"
 #include "group.h"
-#include "input.h"
 #include "update.h"
 #include "utils.h"
-#include "variable.h"
 
 #include <cmath>
 #include <cstring>
@@ -32,16 +30,12 @@ constexpr int MAX_DEPTH = 100;
 }    // namespace
 
 FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), value_(0.0), buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0},
-    owner_(nullptr), version_(-1), depth_(0)
+    Fix(lmp, narg, arg), value_(lmp, "Fix aleisph/pressure", "pressure",
+                                AleisphVariable::Kind::EQUAL_OR_ATOM, narg > 3 ? arg[3] : "0"),
+    buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0}, owner_(nullptr), version_(-1),
+    depth_(0)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/pressure", error);
-  if (utils::strmatch(arg[3], "^v_"))
-    variable_ = arg[3] + 2;
-  else
-    value_ = utils::numeric(FLERR, arg[3], false, lmp);
-  if (!std::isfinite(value_)) error->all(FLERR, "Fix aleisph/pressure: pressure is not finite");
-
   if (narg == 4) return;
   if (strcmp(arg[4], "buffer") != 0)
     error->all(FLERR, "Fix aleisph/pressure: unknown keyword {}", arg[4]);
@@ -81,20 +75,14 @@ void FixAleisphPressure::init()
   if (buffer_group_ >= 0 && group->count(buffer_group_) == 0)
     error->all(FLERR, "Fix aleisph/pressure: buffer group {} is empty",
                group->names[buffer_group_]);
-  if (variable_.empty()) return;
-  const int ivar = input->variable->find(variable_.c_str());
-  if (ivar < 0 || (!input->variable->equalstyle(ivar) && !input->variable->atomstyle(ivar)))
-    error->all(FLERR, "Fix aleisph/pressure: {} is not an equal- or atom-style variable",
-               variable_);
+  value_.check();
 }
 
 // settings that must not contradict each other on one particle
 void FixAleisphPressure::add_claims() const
 {
   const std::string name = fmt::format("{} ({})", id, style);
-  owner_->scene().add_claim({name, "pressure",
-                             variable_.empty() ? fmt::format("{}", value_) : "v_" + variable_,
-                             groupbit});
+  owner_->scene().add_claim({name, "pressure", value_.text(), groupbit});
   if (buffer_bit_)
     owner_->scene().add_claim({name, "buffer direction",
                                fmt::format("{} {} {}", towards_[0], towards_[1], towards_[2]),
@@ -117,19 +105,14 @@ void FixAleisphPressure::pre_force(int)
 // prescribed rows of the PPE keep the value that the pressure field holds
 void FixAleisphPressure::set_pressure()
 {
-  const int n = atom->nlocal;
-  std::vector<double> p(n, value_);
-  if (!variable_.empty()) {
-    const int ivar = input->variable->find(variable_.c_str());
-    if (input->variable->equalstyle(ivar))
-      p.assign(n, input->variable->compute_equal(ivar));
-    else
-      input->variable->compute_atom(ivar, igroup, p.data(), 1, 0);
+  std::vector<double> p;
+  {
+    const AleisphVariable::Evaluation evaluation(lmp, !value_.constant());
+    value_.evaluate(igroup, p);
   }
-
   double *pressure = owner_->fields().pressure().edit();
   tagint bad = 0;
-  for (int i = 0; i < n; i++) {
+  for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (!std::isfinite(p[i])) bad = atom->tag[i];
     pressure[i] = p[i];

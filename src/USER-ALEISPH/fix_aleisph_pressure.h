@@ -18,10 +18,10 @@ FixStyle(aleisph/pressure,FixAleisphPressure);
 #ifndef LMP_FIX_ALEISPH_PRESSURE_H
 #define LMP_FIX_ALEISPH_PRESSURE_H
 
+#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 
-#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -44,8 +44,7 @@ class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
   int nearest_source(int i) const;
   void find_depth();
 
-  double value_;
-  std::string variable_;             // equal or atom style, empty if constant
+  AleisphVariable value_;
   int buffer_group_, buffer_bit_;    // index and bit of the buffer's group; -1, 0 if there is none
   double towards_[3];                // unit vector from the buffer to the fluid
   class FixAleisph *owner_;

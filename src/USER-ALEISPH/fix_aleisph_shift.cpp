@@ -11,10 +11,8 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "input.h"
 #include "update.h"
 #include "utils.h"
-#include "variable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +45,8 @@ double dot(const double *a, const double *b)
 }    // namespace
 
 FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), rate_(-1.0), step_(-1.0), smoothing_(-1.0), filter_(-1.0), velocity_(-1.0),
-    owner_(nullptr), started_(false), coefficient_(0.0), limited_total_(0.0), limited_(0)
+    Fix(lmp, narg, arg), rate_(-1.0), step_(-1.0), smoothing_(-1.0), filter_(-1.0), owner_(nullptr),
+    started_(false), coefficient_(0.0), limited_total_(0.0), limited_(0)
 {
   parse(narg, arg);
   restart_global = 1;
@@ -96,15 +94,15 @@ void FixAleisphShift::parse(int narg, char **arg)
     } else if (key == "step") {
       step_ = positive();
     } else if (key == "velocity") {
-      velocity_ = -1.0;
-      variable_.clear();
+      velocity_.reset();
       scale_.clear();
-      if (utils::strmatch(value, "^v_"))
-        variable_ = value.substr(2);
-      else if (value == "max" || value == "head")
+      if (value == "max" || value == "head") {
         scale_ = value;
-      else
-        velocity_ = positive();
+      } else {
+        if (!utils::strmatch(value, "^v_")) positive();
+        velocity_ = std::make_unique<AleisphVariable>(lmp, "Fix aleisph/shift", "keyword velocity",
+                                                      AleisphVariable::Kind::EQUAL, value);
+      }
     } else if (key == "surface") {
       if (value != "full" && value != "positive")
         error->all(FLERR, "Fix aleisph/shift: surface must be full or positive, not {}", value);
@@ -152,11 +150,7 @@ void FixAleisphShift::init()
   int flag, cols;
   if (atom->find_custom(SHIFT, flag, cols) < 0)
     error->all(FLERR, "Fix aleisph/shift needs frame ale in fix aleisph/predictor");
-  if (!variable_.empty()) {
-    const int ivar = input->variable->find(variable_.c_str());
-    if (ivar < 0 || !input->variable->equalstyle(ivar))
-      error->all(FLERR, "Fix aleisph/shift: {} is not an equal-style variable", variable_);
-  }
+  if (velocity_) velocity_->check();
   if (filter_ > 0.0 && owner_->scene().surface().present) owner_->scene().add_acceleration(this);
 }
 
@@ -223,15 +217,15 @@ double FixAleisphShift::largest_head(const double *g) const
 // U
 double FixAleisphShift::velocity_scale()
 {
-  if (velocity_ >= 0.0) return velocity_;
-  if (variable_.empty()) {
+  if (!velocity_) {
     const bool falls = scale_.empty() ? owner_->scene().surface().present : scale_ == "head";
     return falls ? head() : largest_speed();
   }
-  const double value = input->variable->compute_equal(input->variable->find(variable_.c_str()));
+  const AleisphVariable::Evaluation evaluation(lmp, !velocity_->constant());
+  const double value = velocity_->equal();
   if (!(value >= 0.0) || !std::isfinite(value))
     error->all(FLERR, "Fix aleisph/shift: variable {} must not be negative, it is {} at step {}",
-               variable_, value, update->ntimestep);
+               velocity_->name(), value, update->ntimestep);
   return value;
 }
 

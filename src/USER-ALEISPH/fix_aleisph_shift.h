@@ -18,10 +18,12 @@ FixStyle(aleisph/shift,FixAleisphShift);
 #ifndef LMP_FIX_ALEISPH_SHIFT_H
 #define LMP_FIX_ALEISPH_SHIFT_H
 
+#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "aleisph_shift.h"
 #include "fix.h"
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -54,11 +56,10 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double dt_over_d() const;
 
   aleisph::ShiftParams params_;
-  double rate_, step_;           // C = rate() U dt/d, or step; < 0: not given
-  double smoothing_, filter_;    // rates, < 0: the variant's own
-  double velocity_;              // U if given as a number
-  std::string variable_;         // or its name
-  std::string scale_;            // or max or head; empty: not given
+  double rate_, step_;                           // C = rate() U dt/d, or step; < 0: not given
+  double smoothing_, filter_;                    // rates, < 0: the variant's own
+  std::unique_ptr<AleisphVariable> velocity_;    // U, null if not given as a number or variable
+  std::string scale_;                            // else max or head; empty: not given
   class FixAleisph *owner_;
   bool started_;    // d2_aleisph_u has been set, now or before a restart
   double coefficient_, limited_total_;

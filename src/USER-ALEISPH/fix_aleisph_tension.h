@@ -16,6 +16,7 @@ FixStyle(aleisph/tension,FixAleisphTension);
 #ifndef LMP_FIX_ALEISPH_TENSION_H
 #define LMP_FIX_ALEISPH_TENSION_H
 
+#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "aleisph_tension.h"
 #include "fix.h"
@@ -59,11 +60,11 @@ class FixAleisphTension :
   void time_step_limits(aleisph::StepBounds &limits) const override;
 
  private:
-  // the angle on the walls of a group: constant, or an equal- or atom-style variable
+  // the angle on the walls of a group: a number, or an equal- or atom-style variable
   struct Angle {
+    std::string group;
     int groupbit;
-    std::string group, variable;
-    double degrees;
+    AleisphVariable degrees;
   };
 
   void parse(int narg, char **arg);

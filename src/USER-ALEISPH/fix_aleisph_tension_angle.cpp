@@ -12,12 +12,10 @@
 #include "atom.h"
 #include "error.h"
 #include "group.h"
-#include "input.h"
 #include "modify.h"
 #include "update.h"
-#include "utils.h"
-#include "variable.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -40,13 +38,10 @@ FixAleisphTension::Angle FixAleisphTension::parse_angle(const std::string &name,
   const int id = group->find(name);
   if (id < 0)
     error->all(FLERR, "Fix aleisph/tension: keyword angle: there is no group {} of walls", name);
-  Angle angle = {group->bitmask[id], name, "", 0.0};
-  if (utils::strmatch(value, "^v_")) {
-    angle.variable = value.substr(2);
-    return angle;
-  }
-  angle.degrees = utils::numeric(FLERR, value, false, lmp);
-  if (!is_angle(angle.degrees))
+  Angle angle = {name, group->bitmask[id],
+                 AleisphVariable(lmp, "Fix aleisph/tension", "keyword angle",
+                                 AleisphVariable::Kind::EQUAL_OR_ATOM, value)};
+  if (angle.degrees.constant() && !is_angle(angle.degrees.equal()))
     error->all(FLERR, "Fix aleisph/tension: angle must lie between 0 and 180 degrees, not {}",
                value);
   return angle;
@@ -65,11 +60,7 @@ void FixAleisphTension::resolve_angles() const
     if (owner_->ranks().sum(count) == 0)
       error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
                  angle.group);
-    if (angle.variable.empty()) continue;
-    const int ivar = input->variable->find(angle.variable.c_str());
-    if (ivar < 0 || !(input->variable->equalstyle(ivar) || input->variable->atomstyle(ivar)))
-      error->all(FLERR, "Fix aleisph/tension: {} is not an equal- or atom-style variable",
-                 angle.variable);
+    angle.degrees.check();
   }
 }
 
@@ -77,27 +68,24 @@ void FixAleisphTension::resolve_angles() const
 void FixAleisphTension::evaluate_angles()
 {
   cosine_.assign(owner_->cloud().size(), NEUTRAL);
-  std::vector<double> values(atom->nlocal);
+  std::vector<double> values;
   tagint outside = 0;
+  const bool varies = std::any_of(angles_.begin(), angles_.end(),
+                                  [](const Angle &angle) { return !angle.degrees.constant(); });
+  const AleisphVariable::Evaluation evaluation(lmp, varies);
   for (const auto &angle : angles_) {
-    const int ivar = angle.variable.empty() ? -1 : input->variable->find(angle.variable.c_str());
-    if (ivar < 0)
-      values.assign(atom->nlocal, angle.degrees);
-    else if (input->variable->equalstyle(ivar))
-      values.assign(atom->nlocal, input->variable->compute_equal(ivar));
-    else
-      input->variable->compute_atom(ivar, group->find(angle.group), values.data(), 1, 0);
+    angle.degrees.evaluate(group->find(angle.group), values);
     for (int i = 0; i < atom->nlocal; i++) {
       if (!(atom->mask[i] & angle.groupbit) || !(owner_->cloud().role()[i] & aleisph::WALL))
         continue;
       if (!is_angle(values[i])) outside = atom->tag[i];
       cosine_[i] = std::cos(values[i] * DEGREE);
     }
-    if (ivar >= 0 && (outside = owner_->ranks().largest(outside)))
+    if (!angle.degrees.constant() && (outside = owner_->ranks().largest(outside)))
       error->all(FLERR,
                  "Fix aleisph/tension: variable {} must lie between 0 and 180 degrees, for atom {} "
                  "it does not at step {}",
-                 angle.variable, outside, update->ntimestep);
+                 angle.degrees.name(), outside, update->ntimestep);
   }
   owner_->ranks().forward(cosine_.data(), 1);
 }

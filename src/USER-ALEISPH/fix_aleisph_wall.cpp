@@ -13,10 +13,8 @@
 #include "domain.h"
 #include "error.h"
 #include "group.h"
-#include "input.h"
 #include "update.h"
 #include "utils.h"
-#include "variable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +28,8 @@ constexpr double UNIT_TOLERANCE = 1.0e-5;
 }    // namespace
 
 FixAleisphWall::FixAleisphWall(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), slip_(false), curlcurl_(false), prescribed_(false), owner_(nullptr),
-    searched_(false), warned_(false), fallback_(0), unknown_(0), contradictory_(0), wrong_(0)
+    Fix(lmp, narg, arg), slip_(false), curlcurl_(false), owner_(nullptr), searched_(false),
+    warned_(false), fallback_(0), unknown_(0), contradictory_(0), wrong_(0)
 {
   parse(narg, arg);
   nevery = 1;
@@ -59,14 +57,10 @@ void FixAleisphWall::parse(int narg, char **arg)
       iarg += 2;
     } else if (key == "velocity") {
       need(3);
-      prescribed_ = true;
-      for (int a = 0; a < 3; a++) {
-        const char *word = arg[iarg + 1 + a];
-        if (utils::strmatch(word, "^v_"))
-          velocity_[a].variable = word + 2;
-        else
-          velocity_[a].value = utils::numeric(FLERR, word, false, lmp);
-      }
+      velocity_.clear();
+      for (int a = 1; a <= 3; a++)
+        velocity_.emplace_back(lmp, "Fix aleisph/wall", "keyword velocity",
+                               AleisphVariable::Kind::EQUAL, arg[iarg + a]);
       iarg += 4;
     } else if (key == "normals") {
       if (value == "auto") {
@@ -106,12 +100,7 @@ void FixAleisphWall::init()
 
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix aleisph/wall: group {} is empty", group->names[igroup]);
-  for (const auto &component : velocity_) {
-    if (component.variable.empty()) continue;
-    const int ivar = input->variable->find(component.variable.c_str());
-    if (ivar < 0 || !input->variable->equalstyle(ivar))
-      error->all(FLERR, "Fix aleisph/wall: {} is not an equal-style variable", component.variable);
-  }
+  for (const auto &component : velocity_) component.check();
   if (!given_.empty()) {
     int flag, cols;
     if (atom->find_custom(given_.c_str(), flag, cols) < 0 || flag != 1 || cols != 3)
@@ -133,12 +122,9 @@ void FixAleisphWall::add_claims() const
   claim("condition", slip_ ? "slip" : "no-slip");
   claim("vstar", curlcurl_ ? "curlcurl" : "default");
   claim("normals", given_.empty() ? "auto" : "given " + given_);
-  if (!prescribed_) return;
+  if (velocity_.empty()) return;
   std::string text;
-  for (const auto &component : velocity_)
-    text += (text.empty() ? "" : " ") +
-        (component.variable.empty() ? fmt::format("{}", component.value)
-                                    : "v_" + component.variable);
+  for (const auto &component : velocity_) text += (text.empty() ? "" : " ") + component.text();
   claim("velocity", text);
 }
 
@@ -149,7 +135,7 @@ void FixAleisphWall::setup_pre_force(int vflag)
 
 void FixAleisphWall::pre_force(int)
 {
-  if (prescribed_) set_velocity();
+  if (!velocity_.empty()) set_velocity();
   if (searched_) check_normals();
 }
 
@@ -171,11 +157,11 @@ void FixAleisphWall::end_of_step()
 void FixAleisphWall::set_velocity()
 {
   double vw[3];
+  const bool varies = std::any_of(velocity_.begin(), velocity_.end(),
+                                  [](const AleisphVariable &c) { return !c.constant(); });
+  const AleisphVariable::Evaluation evaluation(lmp, varies);
   for (int a = 0; a < 3; a++) {
-    const auto &component = velocity_[a];
-    vw[a] = component.variable.empty()
-        ? component.value
-        : input->variable->compute_equal(input->variable->find(component.variable.c_str()));
+    vw[a] = velocity_[a].equal();
     if (!std::isfinite(vw[a]))
       error->all(FLERR, "Fix aleisph/wall: wall velocity is not finite at step {}",
                  update->ntimestep);

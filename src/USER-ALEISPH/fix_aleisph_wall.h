@@ -16,11 +16,12 @@ FixStyle(aleisph/wall,FixAleisphWall);
 #ifndef LMP_FIX_ALEISPH_WALL_H
 #define LMP_FIX_ALEISPH_WALL_H
 
+#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 
-#include <array>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -38,11 +39,6 @@ class FixAleisphWall : public Fix, public aleisph::NormalFinder {
   int find_normals(const aleisph::Stencil &walls, const double *previous) override;
 
  private:
-  struct Component {
-    double value = 0.0;
-    std::string variable;    // equal-style, empty if constant
-  };
-
   void parse(int narg, char **arg);
   void add_claims() const;
   void set_velocity();
@@ -54,9 +50,9 @@ class FixAleisphWall : public Fix, public aleisph::NormalFinder {
   void check_normals();
   void warn_of_contradictions();
 
-  bool slip_, curlcurl_, prescribed_;
-  std::array<Component, 3> velocity_;
-  std::string given_;    // name of the custom property, empty: automatic
+  bool slip_, curlcurl_;
+  std::vector<AleisphVariable> velocity_;    // 3 components, or none if it is not prescribed
+  std::string given_;                        // name of the custom property, empty: automatic
   class FixAleisph *owner_;
   bool searched_;    // normals were looked for since they were last checked
   bool warned_;      // in this run
