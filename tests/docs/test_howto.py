@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-only
-"""What the Howto shows besides its scripts works: the dumps for pictures, OVITO and ParaView, added
-to doc/in.channel, and the Python program, taken from the page as they stand there.
+"""What the pages show works, taken from them as it stands there: the two further scripts of the
+Howto (for a few steps), its dumps for pictures, OVITO and ParaView and the two ways to give a closed
+domain a level of pressure (fix aleisph/pressure), added to doc/in.channel, and the Python program.
 """
 
 import os
@@ -38,7 +39,42 @@ def output(command, folder):
     return run.stdout
 
 
+def lmp(script, folder, *arguments):
+    (Path(folder) / "in.test").write_text(script)
+    return output([os.environ["ALEISPH_LMP"], "-in", "in.test", "-log", "none", *arguments], folder)
+
+
 class Howto(unittest.TestCase):
+    def test_scripts(self):
+        scripts = [block for block in blocks("LAMMPS", (DOC / "Howto_aleisph.rst").read_text())
+                   if "create_box" in block]
+        self.assertEqual(len(scripts), 2)    # a free surface, a drop
+        for script in scripts:
+            short, count = re.subn(r"^run .*$", "run 5", script, flags=re.M)
+            self.assertEqual(count, 1)
+            with tempfile.TemporaryDirectory() as name:
+                self.assertIn("for 5 steps", lmp(short, name))
+
+    def test_level_of_pressure(self):
+        text = (DOC / "fix_aleisph_pressure.rst").read_text()
+        afterwards, prescribed = [block for block in blocks("LAMMPS", text)
+                                  if block.startswith("group ")]
+        # a force across the channel, too: the pressure on the wall is not the mean
+        channel = (DOC / "in.channel").read_text().replace("vector 1 0 0", "vector 1 -1 0")
+        dump = "dump p all custom 1 p.dump id {}\ndump_modify p sort id\n"
+        for script, column in (
+                (channel.replace("run           ", afterwards + dump.format("v_p_rel") + "run "),
+                 "v_p_rel"),
+                (channel.replace("fix           move", prescribed + "fix move").replace(
+                    "run           ", dump.format("d_aleisph_p") + "run "), "d_aleisph_p")):
+            with tempfile.TemporaryDirectory() as name:
+                lmp(script, name, "-var", "n", "10", "-var", "T", "0.01")
+                lines = (Path(name) / "p.dump").read_text().splitlines()
+            pressure = [float(line.split()[1]) for line in lines[-110:]]    # 11 x 10 particles
+            # LAMMPS hands variables on with 15 digits; rho0 G H = 1e-3
+            self.assertLess(abs(pressure[0]), 1.0e-17, column)
+            self.assertLess(min(pressure), -0.9e-3, column)
+
     def test_dumps(self):
         recipes = blocks("LAMMPS", section("howto_pictures"))
         self.assertEqual(len(recipes), 3)
@@ -46,9 +82,7 @@ class Howto(unittest.TestCase):
             "run           ", "\n".join(recipes) + "\nrun           ")
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            (folder / "in.channel").write_text(script)
-            output([os.environ["ALEISPH_LMP"], "-in", "in.channel", "-var", "n", "10",
-                    "-log", "none"], folder)
+            lmp(script, folder, "-var", "n", "10")
             pictures = sorted(folder.glob("flow.*.png"))
             tables = sorted(folder.glob("flow.*.csv"))
             self.assertGreaterEqual(len(pictures), 2)
