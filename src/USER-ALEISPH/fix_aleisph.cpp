@@ -18,6 +18,7 @@
 #include "neigh_list.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "output.h"
 #include "update.h"
 #include "utils.h"
 
@@ -126,7 +127,7 @@ void FixAleisph::read_fluid_file(const char *filename)
 
 int FixAleisph::setmask()
 {
-  return PRE_FORCE;
+  return PRE_EXCHANGE | PRE_FORCE;
 }
 
 void FixAleisph::post_constructor()
@@ -218,6 +219,13 @@ void FixAleisph::setup_pre_force(int)
   if (strcmp(input->command, "rerun") == 0) fields_->set_pressure_known(false);
   build_halo();
   rebuild();
+}
+
+// A continued run begins with particles sorted by their places. So must this one go on, or the two
+// would add in another order. LAMMPS renews the neighbor lists when a restart file is due.
+void FixAleisph::pre_exchange()
+{
+  if (output->next_restart == update->ntimestep) atom->nextsort = update->ntimestep;
 }
 
 void FixAleisph::pre_force(int)

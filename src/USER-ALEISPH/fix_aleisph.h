@@ -63,6 +63,7 @@ class FixAleisph : public Fix {
   void init() override;
   void init_list(int, class NeighList *) override;
   void setup_pre_force(int) override;
+  void pre_exchange() override;
   void pre_force(int) override;
   void post_run() override;
   int modify_param(int, char **) override;

@@ -4,10 +4,11 @@
 that was not interrupted, on one rank. Two ways to write the file: by `restart N` during one run of
 2N steps, and by `write_restart` between two runs of N.
 
-Atom sorting is off: LAMMPS sorts the particles when a run starts, which would change the order in
-which the continued run adds numbers.
+LAMMPS sorts the particles when a run starts, and then every so many steps: the order in which
+numbers are added. fix aleisph has them sorted in the step in which a file is written, too.
 """
 
+import itertools
 import re
 import unittest
 
@@ -15,14 +16,17 @@ from dumps import read_frames
 from example import HERE, empty_folder, run_lammps
 
 # steps of one half: for `shear`, enough to rebuild the neighbor lists several times
-STEPS = {"channel": 20, "shear": 60}
+STEPS = {"channel": 20, "shear": 60, "dam": 60}
+# every so many steps, size of the bins: never, often, once in a run
+SORTS = ("0 0.0", "7 2.4", "1000 2.0")
 FORMS = ("restart", "write_restart")
 
 
-def run(scene, form, part, folder):
+def run(scene, form, part, folder, sort=SORTS[0]):
     """Text of the log and path of the dump."""
     log = run_lammps(HERE / "in.restart", folder, {"scene": scene, "form": form, "part": part,
-                                                   "steps": STEPS[scene], "here": HERE})
+                                                   "steps": STEPS[scene], "here": HERE,
+                                                   "sort": sort.split()[0], "bin": sort.split()[1]})
     return log.read_text(), folder / f"dump.{part}"
 
 
@@ -31,12 +35,13 @@ class Restart(unittest.TestCase):
 
     def test_continues_to_the_last_bit(self):
         for scene in STEPS:
-            for form in FORMS:
-                with self.subTest(scene, form=form):
-                    folder = empty_folder(f"{scene}-{form}")
-                    whole = run(scene, form, "all", folder)[1].read_text()
-                    rest = run(scene, form, "rest", folder)[1].read_text()
-                    self.assertEqual(rest, whole, f"{scene}, {form}: the continued run differs")
+            for form, sort in itertools.product(FORMS, SORTS):
+                with self.subTest(scene, form=form, sort=sort):
+                    folder = empty_folder(f"{scene}-{form}-{sort.split()[0]}")
+                    whole = run(scene, form, "all", folder, sort)[1].read_text()
+                    rest = run(scene, form, "rest", folder, sort)[1].read_text()
+                    self.assertEqual(rest, whole,
+                                     f"{scene}, {form}, sort {sort}: the continued run differs")
 
     def test_the_scene_is_worth_it(self):
         """Lists are rebuilt in both halves, the particles move, there is pressure."""
