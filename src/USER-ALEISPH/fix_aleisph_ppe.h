@@ -50,6 +50,7 @@ class FixAleisphPPE : public Fix {
   void assemble();
   aleisph::PpeOptions options() const;
   void choose_preconditioner();
+  void choose_max_iterations();
   void right_hand_side();
   void solve();
   double rounding_level() const;
@@ -68,6 +69,7 @@ class FixAleisphPPE : public Fix {
   aleisph::SolveReport report_;
   std::vector<double> rhs_, div_, grad_, p_;
   long failures_;
+  int max_iterations_;    // keyword maxiter, 0: not given
 };
 
 }    // namespace LAMMPS_NS

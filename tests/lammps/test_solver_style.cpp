@@ -110,6 +110,34 @@ TEST(SolverStyle, FallbackIsCountedAndTold)
                 "jacobi was used", "pressure not converged"});
 }
 
+// Information goes one particle further in each iteration: a long tank needs as many at least.
+// Before, the limit was 1000 for every scene.
+TEST(SolverStyle, LongScenesHaveMoreIterations)
+{
+  constexpr int LENGTH = 1200;
+  Scene scene;
+  scene.d = 1.0;
+  scene.boundary = "f p p";
+  scene.low = {-0.5, 0.0, -0.5};
+  scene.high = {LENGTH + 0.5, 4.0, 0.5};
+  for (int i = 0; i <= LENGTH; i++)
+    for (int j = 0; j < 4; j++)
+      scene.add(i == 0 || i == LENGTH ? Scene::WALL : Scene::FLUID, i, j + 0.5);
+  scene.jitter(0.1);
+  Simulation sim(scene);
+  Script script = script_of(scene);
+  script.body = "fix g all gravity 1.0 vector 1 0 0";
+  script.ppe = "fix ppe all aleisph/ppe tol 1e-8 preconditioner jacobi";
+  script.timestep = "timestep 0.01";
+  sim.run(script.text() + "run 0");
+  EXPECT_GT(sim.fix("ppe", 1), 1000.0);
+  EXPECT_EQ(sim.fix("ppe", 8), 0.0);
+  // a number in the script is obeyed
+  script.ppe += " maxiter 1000";
+  expect_words(Simulation(scene).error_of(script.text() + "run 0"),
+               {"not converged", "1000 iterations"});
+}
+
 // the viscous velocity does not depend on it either
 TEST(SolverStyle, ViscousSolve)
 {
