@@ -18,10 +18,12 @@ runs; says where logs, tables and pictures do not belong together. --list: says 
 -var d 1e-4
 -var d 5e-5 + -var d 5e-5 -var scheme cn :: 5e-5, also cn
 -->
-The first line is a row with {quantity.key@time:format}: key is that of the result line, or error, which
-is value/reference - 1; the last time is taken without @time. {N} is that of any result line. A number
-before it says which of the runs of a line, joined by +, is meant; - is no run. What follows :: is the label, else
-the options are. A format with % is followed by a space and %.
+The first line is a row with {quantity.key@time:format}: key is that of the result line; a/b is the value of
+a over that of b, minus 1; without @time the last one is taken. {N} is that of any result line. A number before
+the quantity says which of the runs of a line, joined by +, is meant; - is no run. What follows :: is the
+label, else the options are. A format may have a factor, .2f*1e3, and % is written with a space.
+A comment <!-- runs, not made yet is one whose table is still by hand, since its runs are long: it is made,
+and checked, from the next refresh on.
 
 Environment: ALEISPH_LMP, ALEISPH_MPIEXEC, LAMMPS_PLUGIN_PATH (`./aleisph refresh` sets them); LOG_DATE, the date in
 the names of the logs as LAMMPS writes dates (default: today).
@@ -43,11 +45,12 @@ from result_table import MARK, read_results, short, table
 
 TOP = Path(__file__).resolve().parents[1]
 RESULTS = re.compile(r"(<!-- results -->\n).*?(<!-- end -->)", re.DOTALL)
-RUNS = re.compile(r"(<!-- runs\n(.*?)-->\n\|[^\n]*\n\|[-| :]*\|\n)((?:\|[^\n]*\n)*)(<!-- end -->)",
-                  re.DOTALL)
+PENDING = ", not made yet"
+RUNS = re.compile(rf"<!-- runs({PENDING})?\n(.*?)(-->\n\|[^\n]*\n\|[-| :]*\|\n)"
+                  r"((?:\|[^\n]*\n)*)(<!-- end -->)", re.DOTALL)
 BLOCK = re.compile(r"^```\n((?:(?!```).*\n)*?)```$", re.MULTILINE)
 PICTURE = re.compile(r"!\[[^]]*\]\(([^)/]+\.png)\)", re.DOTALL)
-FIELD = re.compile(r"\{(?:(\d+)\.)?([\w-]+)(?:\.(\w+))?(?:@([\d.e+-]+))?(?::([^}]*))?\}")
+FIELD = re.compile(r"\{(?:(\d+)\.)?([\w-]+)(?:\.(\w+(?:/\w+)?))?(?:@([\d.e+-]+))?(?::([^}]*))?\}")
 RUN = "ALEISPH-RUN"    # in log.runs, before the options and the result lines of a run
 FAILED = "failed: "
 NONE = "-"    # in a line of runs: none, its cells are empty
@@ -180,9 +183,11 @@ def parse_runs(text):
     return template, found
 
 
-def options_of(readme):
-    """All options that the comments of a README ask for, each once."""
-    lines = [line for match in RUNS.finditer(readme) for line in parse_runs(match[2])[1]]
+def options_of(readme, pending=True):
+    """All options that the comments of a README ask for, each once; pending: also of tables that are
+    not made yet."""
+    lines = [line for match in RUNS.finditer(readme) if pending or not match[1]
+             for line in parse_runs(match[2])[1]]
     return list(dict.fromkeys(option for line in lines for option in line.options if option != NONE))
 
 
@@ -219,16 +224,20 @@ def pick(rows, quantity, key, time):
         rows = [row for row in rows if abs(float(row["time"]) - float(time)) <= 1e-6 * float(time)]
     if not rows:
         return ""
-    if key == "error":
-        return str(float(rows[-1]["value"]) / float(rows[-1]["reference"]) - 1.0)
-    return rows[-1].get(key, "")
+    over, _, under = key.partition("/")
+    if not under:
+        return rows[-1].get(key, "")
+    values = [float(rows[-1].get(name, "nan")) for name in (over, under)]
+    return str(values[0] / values[1] - 1.0) if values[1] else ""
 
 
 def shown(text, form):
     """A number in a format of Python, exponents without leading zeros."""
     if not text or not form:
         return short(text) if text else ""
-    words = re.sub(r"e([+-])0*(\d)", lambda m: "e" + m[1].strip("+") + m[2], format(float(text), form))
+    form, _, factor = form.partition("*")
+    words = format(float(text) * float(factor or 1), form)
+    words = re.sub(r"e([+-])0*(\d)", lambda m: "e" + m[1].strip("+") + m[2], words)
     return words.replace("%", " %")
 
 
@@ -249,8 +258,11 @@ def with_tables(readme, rows, runs):
     """The README with its tables made anew."""
     def filled(match):
         template, lines = parse_runs(match[2])
+        if match[1] and not all(option in runs for option in options_of(match[0])):
+            return match[0]
         body = "".join(row_of(template, line, runs) + "\n" for line in lines)
-        return match[1] + re.sub(r"\| +(?=\|)", "| ", body) + match[4]
+        return (f"<!-- runs\n{match[2]}{match[3]}" + re.sub(r"\| +(?=\|)", "| ", body)
+                + match[5])
     return RUNS.sub(filled, RESULTS.sub(lambda m: m[1] + result_block(rows) + m[2], readme))
 
 
@@ -327,8 +339,9 @@ def check_example(example):
     if len(RESULTS.findall(readme)) != 1:
         yield "not one table between <!-- results --> and <!-- end -->"
     runs = read_runs(example.folder / "log.runs")
-    if set(runs) != set(options_of(readme)):
-        yield f"log.runs has other runs than README.md: {set(runs) ^ set(options_of(readme))}"
+    options = set(options_of(readme, pending=False))
+    if set(runs) != options:
+        yield f"log.runs has other runs than README.md: {set(runs) ^ options}"
     elif rows:
         wanted = with_tables(readme, rows, runs).splitlines()
         for number, (line, right) in enumerate(zip(readme.splitlines(), wanted), 1):
@@ -378,6 +391,9 @@ def check(names, top=TOP):
     wrong = [f"{example.name}: {line}" for example in examples(names, top)
              for line in check_example(example)]
     print("\n".join(wrong) or "logs, tables and pictures belong together")
+    pending = [e.name for e in examples(names, top) if f"<!-- runs{PENDING}" in e.readme]
+    if pending:
+        print(f"not checked: tables whose runs are not made yet, of {', '.join(pending)}")
     return 1 if wrong else 0
 
 

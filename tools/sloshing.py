@@ -16,7 +16,8 @@ which X'' = A w^2 cos(w t) drives from rest (X' = 0 at the start, so eta_n' = 0,
 (The series of a tank that sways: Faltinsen, J. Ship Res. 22, 193, 1978.)
 
 --print FILE writes result lines as LAMMPS commands: root mean square and largest difference over
-the run, relative to the root mean square and to the largest elevation of the theory.
+the run, relative to the root mean square and to the largest elevation of the theory; and the factor on
+all natural frequencies with which the theory fits the run best.
 --plot FILE.png draws both (needs matplotlib; Debian: python3-matplotlib).
 """
 
@@ -25,17 +26,18 @@ import math
 
 from series import attempt, print_command, pyplot, read_series
 
+SAMPLE = 300   # times of the fit of the frequency
 MODES = 200    # the last terms are A (4/pi)(w/w_1)^2 n^-2 = 1e-5 A
 
 
-def elevation(xi, t, tank):
-    """eta at the distance xi from the left end."""
+def elevation(xi, t, tank, factor=1.0):
+    """eta at the distance xi from the left end; factor: on all natural frequencies."""
     total = 0.0
     for n in range(1, MODES, 2):
         k = n * math.pi / tank.L
         bend = k * math.tanh(k * tank.H)
         drive = 4.0 / (tank.L * k**2) * bend * tank.A * tank.omega**2
-        square = tank.g * bend
+        square = factor**2 * tank.g * bend
         total += (drive * (math.cos(tank.omega * t) - math.cos(math.sqrt(square) * t))
                   / (square - tank.omega**2) * math.cos(k * xi))
     return total
@@ -45,6 +47,29 @@ def differences(series, tank):
     """{name: (theory, run)} at both ends."""
     return {name: ([elevation(xi, t, tank) for t in series["t"]], series[name])
             for name, xi in (("eta0", 0.0), ("etaL", tank.L))}
+
+
+def frequency(series, tank):
+    """The factor on all natural frequencies with which the theory fits the run best: golden section
+    of the sum of squares, of some of the times, to 1e-4."""
+    k = math.pi / tank.L
+    if series["t"][-1] < 2.0 * math.pi / math.sqrt(tank.g * k * math.tanh(k * tank.H)):
+        raise ValueError("the run is shorter than the first natural period")
+    rows = range(0, len(series["t"]), 1 + len(series["t"]) // SAMPLE)
+
+    def misfit(factor):
+        return sum((series[name][k] - elevation(xi, series["t"][k], tank, factor))**2
+                   for k in rows for name, xi in (("eta0", 0.0), ("etaL", tank.L)))
+
+    low, high = 0.9, 1.1
+    share = 0.5 * (math.sqrt(5.0) - 1.0)
+    while high - low > 1e-4:
+        left, right = high - share * (high - low), low + share * (high - low)
+        if misfit(left) < misfit(right):
+            high = right
+        else:
+            low = left
+    return 0.5 * (low + high)
 
 
 def result_lines(series, tank):
@@ -61,6 +86,8 @@ def result_lines(series, tank):
 
     for name, (theory, run) in differences(series, tank).items():
         yield from attempt([name], lambda n=name, a=theory, b=run: measure(n, a, b), line)
+    yield from attempt(["frequency"], lambda: [
+        line("frequency", f"value={frequency(series, tank):.4f}", "reference=1")], line)
 
 
 def draw(path, series, tank):

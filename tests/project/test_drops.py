@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """The tools that measure drops, on shapes and oscillations that are known."""
 
+import argparse
 import math
 import random
 import unittest
 
 import drops
 import oscillation
+import sloshing
 from star import Star, dot
 
 ROUND = 1e-9    # of sums of a few hundred numbers of order one
@@ -107,6 +109,16 @@ class Theory(unittest.TestCase):
         self.assertAlmostEqual(omega, 2.5, delta=1e-5)
         self.assertAlmostEqual(gamma, 0.08, delta=1e-5)
         self.assertLess(rest, 1e-4)
+
+
+class Sway(unittest.TestCase):
+    def test_frequency_of_a_series(self):
+        """That of the theory with natural frequencies 0.7 % too high; the interval ends at 1e-4."""
+        tank = argparse.Namespace(L=1.0, H=0.5, A=0.002, omega=3.7, g=9.81)
+        times = [0.02 * k for k in range(300)]
+        series = {"t": times, **{name: [sloshing.elevation(xi, t, tank, 1.007) for t in times]
+                                 for name, xi in (("eta0", 0.0), ("etaL", 1.0))}}
+        self.assertAlmostEqual(sloshing.frequency(series, tank), 1.007, delta=1e-4)
 
 
 if __name__ == "__main__":
