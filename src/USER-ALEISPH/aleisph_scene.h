@@ -106,9 +106,12 @@ class SurfaceTension {
  public:
   virtual const double *surface_pressure() const = 0;    // above that outside
   virtual const double *curvature() const = 0;           // K = div_s N
-  virtual const double *surface_normal() const = 0;      // N, outward; 3 per particle
+  virtual const double *surface_normal() const = 0;      // N, outward; 3 per particle, ghosts, too
   // N_c and whether it is a contact particle, 4 per particle; null without walls
   virtual const double *contact() const = 0;
+  virtual double sigma() const = 0;
+  // of the contact angle of wall particles; null without walls
+  virtual const double *contact_cosine() const = 0;
 
  protected:
   ~SurfaceTension() = default;

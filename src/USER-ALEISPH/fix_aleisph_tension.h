@@ -55,6 +55,8 @@ class FixAleisphTension :
   {
     return result().contact.empty() ? nullptr : result().contact.data();
   }
+  double sigma() const override { return sigma_; }
+  const double *contact_cosine() const override { return walls_ ? cosine_.data() : nullptr; }
   void add_acceleration(double *a) override;
   void guard_velocity(double *v) override;
   void time_step_limits(aleisph::StepBounds &limits) const override;

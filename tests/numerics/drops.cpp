@@ -194,6 +194,11 @@ void Drop::published(double factor)
   measure(model);
 }
 
+SurfaceArea Drop::area() const
+{
+  return surface_area(cloud_, {result_.N.data(), result_.K.data(), nullptr});
+}
+
 std::vector<double> Drop::values(const std::function<bool(const Point &)> &predicate) const
 {
   std::vector<double> list;

@@ -9,6 +9,7 @@
 #define ALEISPH_TEST_DROPS_H
 
 #include "aleisph_surface.h"
+#include "aleisph_surface_area.h"
 #include "aleisph_tension.h"
 #include "cloud.h"
 
@@ -48,6 +49,9 @@ class Drop {
   void tangent();
   void published(double factor);
   void measure(aleisph::TensionModel &model);
+
+  // of the surface, from what the model gave
+  aleisph::SurfaceArea area() const;
 
   int owned() const { return owned_; }
   const Point &point(int i) const { return points_[i]; }
