@@ -9,6 +9,7 @@ namespace aleisph {
 Cloud::Cloud(const Kernel &kernel, double spacing, Timers &timers) :
     kernel_(kernel), spacing_(spacing), volume_(std::pow(spacing, kernel.dim())), timers_(timers)
 {
+  stencil_.set_close(CLOSE * spacing);
 }
 
 void Cloud::reset(int nowned, int n)

@@ -11,6 +11,7 @@
 #ifndef LMP_ALEISPH_HALO_CHECKS_H
 #define LMP_ALEISPH_HALO_CHECKS_H
 
+#include "aleisph_stencil.h"
 #include "pointers.h"
 
 #include <utility>
@@ -38,6 +39,10 @@ class AleisphChecks : protected Pointers {
   void find_faults(bool fresh, long long *atoms) const;
   void refuse(const long long *atoms) const;
 
+  // Particles that are new since the last call, at most as many as there are since the first one,
+  // must not lie close to others. close: any pair does; list: of candidates for the stencil.
+  void arrivals(bool close, const aleisph::CandidateList &list);
+
  private:
   enum Fault { NOT_FINITE, OUT_OF_PLANE, MASS, SPECIAL, NO_ROLE, TWO_ROLES, BUFFER, CONTRADICTION };
 
@@ -49,11 +54,14 @@ class AleisphChecks : protected Pointers {
   bool late_lists() const;
   void find_contradictions();
   void check_arrival(int i, long long *atoms) const;
+  void refuse_close(const aleisph::CandidateList &list) const;
   bool loses_neighbors(int i) const;
   void refuse_contradiction(long long code) const;
 
   FixAleisph &owner_;
   std::vector<std::pair<int, int>> contradictions_;    // claims of the scene, by their numbers
+  bigint natoms_ = 0;                                  // at the last call of arrivals()
+  long long known_ = 0;                                // largest ID then
 };
 
 }    // namespace LAMMPS_NS

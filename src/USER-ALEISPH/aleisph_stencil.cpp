@@ -70,7 +70,7 @@ class Stencil::Builder {
   {
     const auto longest = std::max_element(list_.count, list_.count + nowned);
     picked_.resize(nowned > 0 ? *longest : 0);
-    s_.coincident_ = 0;
+    s_.coincident_ = s_.close_ = 0;
     long long pairs = 0;
     for (int i = 0; i < nowned; i++) {
       const int n = wanted_row(filter_, i) ? pick<D>(i) : 0;
@@ -94,7 +94,8 @@ class Stencil::Builder {
     int *const picked = picked_.j.data();
     double *dx[D];
     for (int a = 0; a < D; a++) dx[a] = picked_.dx[a].data();
-    int n = 0, coincident = 0;
+    const double close2 = s_.close2_;
+    int n = 0, coincident = 0, close = 0;
     for (int m = 0; m < count; m++) {
       const int j = first[m] & mask;
       const double *const xj = x_[j];
@@ -108,9 +109,11 @@ class Stencil::Builder {
       picked[n] = j;
       const bool wanted = !role || !(role[j] & filter_.drop);
       coincident += wanted && square == 0.0;
+      close += wanted && square <= close2;
       n += wanted && square < support2_ && square > 0.0;
     }
     s_.coincident_ += coincident;
+    s_.close_ += close;
     return n;
   }
 

@@ -47,7 +47,8 @@ class Stencil {
  public:
   // x: 3 doubles per particle (owned and ghost), [length].
   // Two particles at the same place cannot be handled; their pairs are left
-  // out and counted in coincident(), once for each owned row that meets one.
+  // out and counted in coincident(), once for each owned row that meets one; those that are
+  // nearer to each other than set_close() says are counted in close(), these among them.
   // The order of the candidates is kept. One pass over them, as long as the pairs fit into the
   // memory of the last build; else a second one.
   void build(const Kernel &kernel, int nowned, const double *const *x, const CandidateList &list,
@@ -59,6 +60,8 @@ class Stencil {
   int begin(int i) const { return ptr_[i]; }
   int end(int i) const { return ptr_[i + 1]; }
   int coincident() const { return coincident_; }
+  int close() const { return close_; }
+  void set_close(double distance) { close2_ = distance * distance; }
 
   const int *ptr() const { return ptr_.data(); }
   const int *col() const { return col_.data(); }
@@ -72,7 +75,8 @@ class Stencil {
   std::size_t slots() const { return col_.size(); }
   void set_slots(std::size_t n);
 
-  int dim_ = 0, coincident_ = 0;
+  int dim_ = 0, coincident_ = 0, close_ = 0;
+  double close2_ = 0.0;
   std::vector<int> ptr_ = {0}, col_;
   std::vector<double> r_, dw_;
   std::array<std::vector<double>, 3> e_;

@@ -47,7 +47,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
   comm_forward = 2;
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 13;
+  size_vector = 14;
   global_freq = 1;
   extvector = 0;
   set_masses();
@@ -267,12 +267,22 @@ void FixAleisph::rebuild()
   locate_walls(found[FAULTS]);
   mark_dry_walls();
   cloud_->update(atom->x, candidates(), scene_->dry_rule());
-  if (const long coincident = ranks_->sum(cloud_->stencil().coincident()))
-    error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", coincident / 2);
+  check_distances();
   if (scene_->moving() || n == 0)
     x_built_.clear();
   else
     x_built_.assign(&atom->x[0][0], &atom->x[0][0] + 3 * n);
+}
+
+void FixAleisph::check_distances()
+{
+  const auto &stencil = cloud_->stencil();
+  double pairs[2] = {0.5 * stencil.coincident(), 0.5 * stencil.close()};
+  ranks_->sum(2, pairs);
+  close_pairs_ = pairs[1];
+  if (pairs[0] > 0.0)
+    error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", pairs[0]);
+  if (neighbor->ago == 0) checks_->arrivals(close_pairs_ > 0.0, candidates());
 }
 
 void FixAleisph::require_finite(const double *v, const std::string &caller,
@@ -347,9 +357,10 @@ double FixAleisph::compute_vector(int n)
       for (const int i : cloud.fluid()) smallest = std::min(smallest, gradient.lambda(i));
       return ranks_->min(smallest);
     }
-    default:
+    case 12:
       return static_cast<double>(ranks_->sum(cloud.stencil().pairs())) /
           std::max(1L, ranks_->sum(atom->nlocal));
+    default: return close_pairs_;
   }
 }
 

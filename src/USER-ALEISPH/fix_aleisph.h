@@ -116,6 +116,7 @@ class FixAleisph : public Fix {
   bool positions_changed();
   aleisph::CandidateList candidates() const;
   void rebuild();
+  void check_distances();
   void build_halo();
   void restore_walls();
   void locate_walls(bool changed);
@@ -132,7 +133,8 @@ class FixAleisph : public Fix {
   class NeighList *list_;
   double reach_;
   bool walls_located_;
-  double own_cutoff_;    // ghost cutoff that this fix has set, 0 if none
+  double own_cutoff_;           // ghost cutoff that this fix has set, 0 if none
+  double close_pairs_ = 0.0;    // of all ranks, see Cloud::CLOSE
 
   std::unique_ptr<aleisph::FluidProperties> fluid_;
   std::unique_ptr<aleisph::Timers> timers_;

@@ -19,6 +19,7 @@
 #include "update.h"
 #include "utils.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -212,6 +213,40 @@ bool AleisphChecks::loses_neighbors(int i) const
   for (int k = 0; k < 3; k++)
     if (neighbor->special_flag[k + 1] == 0 && count[k] > (k ? count[k - 1] : 0)) return true;
   return false;
+}
+
+// In a violent flow particles may come close: this is counted. New ones must not, be it at the start
+// of a run or later; LAMMPS gives them higher IDs than those that are there.
+void AleisphChecks::arrivals(bool close, const aleisph::CandidateList &list)
+{
+  if (natoms_ == 0 && owner_.fields().pressure_known()) natoms_ = -1;    // from a restart file
+  if (close && natoms_ >= 0) refuse_close(list);
+  if (natoms_ == atom->natoms) return;
+  long long newest = 0;
+  for (int i = 0; i < atom->nlocal; i++) newest = std::max<long long>(newest, atom->tag[i]);
+  known_ = std::max(known_, owner_.ranks().largest(newest));
+  natoms_ = atom->natoms;
+}
+
+void AleisphChecks::refuse_close(const aleisph::CandidateList &list) const
+{
+  const double close = aleisph::Cloud::CLOSE * owner_.cloud().spacing();
+  long long found = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < list.count[i]; m++) {
+      const int j = list.first[i][m] & list.mask;
+      const double *const a = atom->x[i], *const b = atom->x[j];
+      const double z = domain->dimension == 3 ? a[2] - b[2] : 0.0;
+      if (std::max(atom->tag[i], atom->tag[j]) > known_ &&
+          std::hypot(a[0] - b[0], a[1] - b[1], z) <= close)
+        found = std::max<long long>(found, atom->tag[i]);
+    }
+  if ((found = owner_.ranks().largest(found)))
+    error->all(
+        FLERR,
+        "Fix aleisph: atom {} is nearer than {} to another one, {} spacings; use delete_atoms "
+        "overlap, or regions that do not overlap",
+        found, close, aleisph::Cloud::CLOSE);
 }
 
 void AleisphChecks::refuse(const long long *atoms) const

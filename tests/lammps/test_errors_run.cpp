@@ -166,6 +166,28 @@ TEST(RunErrors, LostAtoms)
   expect_words(message, {"ost atoms"});
 }
 
+// During a run this is counted; for the next run these particles are not new
+TEST(RunErrors, ParticlesComeClose)
+{
+  Simulation sim(small_channel());
+  Script script = small_script();
+  // from its place to 0.005 d from its neighbor's in one step
+  script.predictor = "variable w atom 19.9*(id==45)*(step<0.5)\n" + script.predictor +
+      " frame ale transport v_w 0 0";
+  EXPECT_EQ(sim.error_of(script.text() + "run 0"), "");
+  EXPECT_EQ(sim.fix("sph", 14), 0.0);
+  EXPECT_EQ(sim.error_of("run 1"), "");
+  EXPECT_EQ(sim.fix("sph", 14), 1.0);
+  EXPECT_EQ(sim.error_of("run 1"), "");
+  // a new one
+  const int natoms = static_cast<int>(small_channel().x.size());
+  EXPECT_EQ(sim.error_of("group old id 1:" + std::to_string(natoms)), "");
+  expect_words(
+      sim.error_of("create_atoms 1 single 0.1001 0.2 0 units box\ngroup new subtract all "
+                   "old\nset group new type 1\ngroup fluid union fluid new\nrun 1"),
+      {"ix aleisph: atom " + std::to_string(natoms + 1), "0.01 spacings", "delete_atoms overlap"});
+}
+
 // a particle that runs into another one
 TEST(RunErrors, ParticlesMeet)
 {

@@ -203,6 +203,21 @@ TEST(SetupErrors, ListsThatAreKept)
                {"ix aleisph", "neigh_modify every 10", "use neigh_modify every 1"});
 }
 
+// The same point twice, up to rounding or so
+TEST(SetupErrors, ParticlesInOnePlace)
+{
+  for (const double apart : {1e-15, 1e-12, 1e-6, 1.9e-3}) {    // spacing 0.2
+    Simulation sim(small_channel());
+    sim.run(fmt::format("create_atoms 1 single {:.17g} 0.2 0 units box\ngroup fluid type 1",
+                        0.3 + apart));
+    expect_words(sim.error_of(small_script().text() + "run 0"),
+                 {"ix aleisph: atom", "nearer than 0.002 to another one", "0.01 spacings"});
+  }
+  Simulation sim(small_channel());
+  sim.run("create_atoms 1 single 0.3021 0.2 0 units box\ngroup fluid type 1");
+  EXPECT_EQ(sim.error_of(small_script().text() + "run 0"), "");
+}
+
 // walls may overlap where they say the same
 TEST(SetupErrors, WallsThatAgree)
 {
