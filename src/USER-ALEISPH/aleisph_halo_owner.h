@@ -10,12 +10,13 @@
 #ifndef LMP_ALEISPH_HALO_OWNER_H
 #define LMP_ALEISPH_HALO_OWNER_H
 
-#include "aleisph_cloud.h"          // IWYU pragma: export
-#include "aleisph_fluid.h"          // IWYU pragma: export
-#include "aleisph_halo_fields.h"    // IWYU pragma: export
-#include "aleisph_mpi_ranks.h"      // IWYU pragma: export
-#include "aleisph_scene.h"          // IWYU pragma: export
-#include "aleisph_timers.h"         // IWYU pragma: export
-#include "fix_aleisph.h"            // IWYU pragma: export
+#include "aleisph_cloud.h"            // IWYU pragma: export
+#include "aleisph_fluid.h"            // IWYU pragma: export
+#include "aleisph_halo_fields.h"      // IWYU pragma: export
+#include "aleisph_halo_warnings.h"    // IWYU pragma: export
+#include "aleisph_mpi_ranks.h"        // IWYU pragma: export
+#include "aleisph_scene.h"            // IWYU pragma: export
+#include "aleisph_timers.h"           // IWYU pragma: export
+#include "fix_aleisph.h"              // IWYU pragma: export
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "aleisph_halo_checks.h"
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_warnings.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -40,7 +41,8 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     timers_(std::make_unique<aleisph::Timers>()), scene_(std::make_unique<aleisph::Scene>()),
     ranks_(std::make_unique<aleisph::Ranks>(world, *timers_)),
     fields_(std::make_unique<AleisphFields>(lmp)),
-    checks_(std::make_unique<AleisphChecks>(lmp, *this)), halo_plan_(nullptr)
+    checks_(std::make_unique<AleisphChecks>(lmp, *this)),
+    warnings_(std::make_unique<AleisphWarnings>(lmp, *this)), halo_plan_(nullptr)
 {
   parse(narg, arg);
 

@@ -37,6 +37,7 @@ namespace LAMMPS_NS {
 
 class AleisphChecks;
 class AleisphFields;
+class AleisphWarnings;
 
 // What other styles count and the owner reports
 struct AleisphTally {
@@ -105,6 +106,7 @@ class FixAleisph : public Fix {
   aleisph::Ranks &ranks() { return *ranks_; }
   aleisph::Timers &timers() { return *timers_; }
   AleisphTally &tally() { return tally_; }
+  AleisphWarnings &warnings() { return *warnings_; }
 
  private:
   void parse(int narg, char **arg);
@@ -143,6 +145,7 @@ class FixAleisph : public Fix {
   std::unique_ptr<aleisph::Ranks> ranks_;
   std::unique_ptr<AleisphFields> fields_;
   std::unique_ptr<AleisphChecks> checks_;
+  std::unique_ptr<AleisphWarnings> warnings_;
   std::vector<double> x_built_;
   AleisphTally tally_;
   AleisphReport report_;

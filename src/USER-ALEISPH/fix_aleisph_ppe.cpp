@@ -150,6 +150,7 @@ void FixAleisphPPE::write_restart_file(const char *)
 
 void FixAleisphPPE::setup(int)
 {
+  owner_->warnings().start();
   if (owner_->fields().pressure_known()) return;
   solve();
   owner_->fields().set_pressure_known(true);
@@ -159,6 +160,7 @@ void FixAleisphPPE::final_integrate()
 {
   solve();
   correct_velocity();
+  owner_->warnings().step();
 }
 
 void FixAleisphPPE::solve()
@@ -272,9 +274,11 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
       "{:.4g}, tolerance {:.4g}",
       update->ntimestep, to_string(report.status), report.iterations, report.residual,
       report.rhs_norm, params_.krylov.rtol);
+  const std::string cause = owner_->warnings().likely_cause();
   if (params_.error_on_failure || report.status == SolveStatus::NOT_FINITE)
-    error->all(FLERR, "{}; reduce the time step, or raise tol or maxiter", text);
-  if (comm->me == 0) error->warning(FLERR, text);
+    error->all(FLERR, "{}{}; {}reduce the time step, or raise tol or maxiter", text, cause,
+               cause.empty() ? "" : "if that is not it, ");
+  if (comm->me == 0) error->warning(FLERR, text + cause);
 }
 
 void FixAleisphPPE::correct_velocity()

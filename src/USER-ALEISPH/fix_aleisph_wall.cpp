@@ -149,6 +149,8 @@ void FixAleisphWall::setup(int)
 void FixAleisphWall::end_of_step()
 {
   double *previous = owner_->fields().wall_velocity();
+  if (update->ntimestep == update->firststep + 1)
+    owner_->warnings().moved_walls(groupbit, previous);
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit)
       for (int a = 0; a < 3; a++) previous[3 * i + a] = atom->v[i][a];

@@ -19,7 +19,8 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 PACKAGE = TOP / "src" / "USER-ALEISPH"
 # the owner and what it lends to styles
-OWNER = {"fix_aleisph.h", "aleisph_halo_owner.h", "aleisph_halo_checks.h", "aleisph_halo_fields.h",
+OWNER = {"fix_aleisph.h", "aleisph_halo_owner.h", "aleisph_halo_checks.h", "aleisph_halo_warnings.h",
+         "aleisph_halo_fields.h",
          "aleisph_halo_operator.h", "aleisph_halo_solver.h",
          "aleisph_halo_variable.h"}
 LICENCE = "SPDX-License-Identifier: GPL-2.0-only"
