@@ -14,6 +14,8 @@
    and, of the present positions only:
      predicted      v*             [velocity]    ghosts
      row types      what the last pressure equation made of each owned particle
+   and one that the fixes of a script write, so that the predictor keeps it:
+     shift          d2_aleisph_u   [velocity]    of owned fluid relative to the flow
    Ghosts are stale at the start of each step, for LAMMPS and its other fixes may have changed any
    of these.
 ------------------------------------------------------------------------- */
@@ -25,6 +27,9 @@
 #include "aleisph_ppe.h"
 #include "pointers.h"
 
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +55,24 @@ class AleisphFields : protected Pointers {
   // d2_NAME as one array, owned particles; null if there is none
   double *property(const std::string &name) const;
 
+  // A field that lasts from one run to the next belongs to the fixes that write it. They sign up in
+  // their init(), as writer name anything that tells one from another. Where the writers are not
+  // those of the run before, nobody owns what is in the field: it starts at zero.
+  void forget_writers();    // by the owner's init()
+  void add_writer(const std::string &field, const std::string &writer);
+  void settle();    // at the start of a run, after every init()
+  // it holds what its writers left there: they need not start anew
+  bool kept(const std::string &field) const { return kept_.count(field) > 0; }
+  // somebody has made this field anew
+  void lose(const std::string &field) { owned_by_.erase(field); }
+  // for restart files: who has written fields, one number each
+  static constexpr int WRITTEN_FIELDS = 2;
+  std::vector<double> writers() const;
+  void set_writers(const double *writers);
+
+  // an error if a number that has come with a particle, from a file or a command, is not finite
+  void require_finite() const;
+
   // empty before the first assembly of the pressure equation
   std::vector<aleisph::RowType> &row_types() { return row_types_; }
 
@@ -60,6 +83,11 @@ class AleisphFields : protected Pointers {
   double bytes() const;
 
  private:
+  std::map<std::string, std::string> writers_;       // of this run
+  std::map<std::string, std::uint32_t> owned_by_;    // a checksum of them, of the run before
+  std::set<std::string> kept_;
+  void clear(const std::string &field);
+
   std::vector<double> predicted_;
   std::vector<aleisph::RowType> row_types_;
   bool pressure_valid_ = false, velocity_valid_ = false, predicted_valid_ = false;

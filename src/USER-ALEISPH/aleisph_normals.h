@@ -47,6 +47,10 @@ struct NormalCount {
 NormalCount wall_normals(const Stencil &walls, const Rows &rows, const double *previous,
                          Cloud &cloud, std::vector<NormalStatus> &status);
 
+// Whether a search would now find the normal of one of these rows, which the last search did not:
+// fluid may have come in sight. walls: at least their rows.
+bool normals_in_sight(const Stencil &walls, const Rows &unknown, const Cloud &cloud);
+
 // the shape on these rows where the normals are given
 void wall_shapes(const Stencil &walls, const Rows &rows, Cloud &cloud);
 

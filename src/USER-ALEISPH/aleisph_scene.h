@@ -104,6 +104,7 @@ class TimeStepLimit {
 // Fields of owned particles, zero away from the surface, valid from pre_force on
 class SurfaceTension {
  public:
+  virtual bool ready() const = 0;    // they are, and those of the present positions
   virtual const double *surface_pressure() const = 0;    // above that outside
   virtual const double *curvature() const = 0;           // K = div_s N
   virtual const double *surface_normal() const = 0;      // N, outward; 3 per particle, ghosts, too

@@ -65,6 +65,7 @@ void ComputeAleisphAtom::compute_peratom()
   if (!owner_->ready())
     error->all(FLERR,
                "Compute aleisph/atom: no stencil for the present particles; use run 0 first");
+  require_tension();
   const int ncols = static_cast<int>(fields_.size());
   if (atom->nmax > nmax_) {
     nmax_ = atom->nmax;
@@ -90,6 +91,19 @@ void ComputeAleisphAtom::fill(Field field, double *out, int stride)
   }
   for (int i = 0; i < atom->nlocal; i++)
     out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? value(field, i) : 0.0;
+}
+
+// In a step, curvature and contact lines come after walls and prescribed pressures
+void ComputeAleisphAtom::require_tension() const
+{
+  const auto *tension = owner_->scene().tension();
+  if (!tension || tension->ready()) return;
+  for (const Field field :
+       {Field::KAPPA, Field::PTENSION, Field::TNX, Field::TNY, Field::TNZ, Field::CONTACT})
+    if (std::find(fields_.begin(), fields_.end(), field) != fields_.end())
+      error->all(FLERR,
+                 "Compute aleisph/atom: fix aleisph/tension has not been through this step yet; "
+                 "use its fields in output, or in fixes that are defined after it");
 }
 
 // 0 elsewhere, 1 on the free surface, 2 ballistic, 3 dry wall

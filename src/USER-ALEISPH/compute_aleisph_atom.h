@@ -57,6 +57,7 @@ class ComputeAleisphAtom : public Compute {
   void fill(Field field, double *out, int stride);
   std::vector<double> divergence() const;
   std::vector<double> density() const;
+  void require_tension() const;
   double surface_kind(int i) const;
   double value(Field field, int i);
   double tension_value(Field field, int i) const;

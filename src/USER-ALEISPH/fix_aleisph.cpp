@@ -60,6 +60,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 FixAleisph::~FixAleisph()
 {
   print_report();
+  release_cutoff();
   fields_->delete_properties();
 }
 
@@ -180,6 +181,8 @@ void FixAleisph::init()
   walls_located_ = false;
 
   checks_->script();
+  fields_->forget_writers();
+  release_cutoff();
   reach_ = 0.0;
   require_reach(cloud_->kernel().support());
   request_list(this, cloud_->kernel().support());
@@ -196,6 +199,13 @@ void FixAleisph::request_list(Fix *fix, double cutoff) const
 void FixAleisph::init_list(int, NeighList *list)
 {
   list_ = list;
+}
+
+// A script that has set none is as free as before: another kernel, skin or fix may need another one.
+void FixAleisph::release_cutoff()
+{
+  if (own_cutoff_ > 0.0 && comm->cutghostuser == own_cutoff_) comm->cutghostuser = 0.0;
+  own_cutoff_ = 0.0;
 }
 
 void FixAleisph::require_reach(double reach)
@@ -219,6 +229,8 @@ void FixAleisph::setup_pre_force(int)
   checks_->setup();
   // each frame of a rerun is another instant, without the pressure of the one before
   if (strcmp(input->command, "rerun") == 0) fields_->set_pressure_known(false);
+  fields_->settle();
+  fields_->require_finite();
   build_halo();
   rebuild();
 }
@@ -316,22 +328,6 @@ void FixAleisph::complete_velocity(const aleisph::Field &v)
 {
   if (scene_->conditions().empty()) ranks_->forward(v);
   for (auto *condition : scene_->conditions()) condition->impose(v);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void FixAleisph::write_restart(FILE *fp)
-{
-  if (comm->me) return;
-  const double valid = fields_->pressure_known();
-  const int size = sizeof(double);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&valid, sizeof(double), 1, fp);
-}
-
-void FixAleisph::restart(char *buf)
-{
-  fields_->set_pressure_known(*reinterpret_cast<double *>(buf) != 0.0);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -111,6 +111,7 @@ class FixAleisph : public Fix {
  private:
   void parse(int narg, char **arg);
   void read_fluid_file(const char *filename);
+  void release_cutoff();
   void set_masses();
   void set_skin();
   void set_sorting();
@@ -123,6 +124,7 @@ class FixAleisph : public Fix {
   void restore_walls();
   void locate_walls(bool changed);
   bool walls_changed();
+  bool in_sight(const std::vector<int> &unknown) const;
   void find_normals();
   void mark_dry_walls();
   void begin_report();
@@ -135,7 +137,7 @@ class FixAleisph : public Fix {
   class NeighList *list_;
   double reach_;
   bool walls_located_;
-  double own_cutoff_;           // ghost cutoff that this fix has set, 0 if none
+  double own_cutoff_;           // ghost cutoff that this fix has set, maybe before a restart, or 0
   double close_pairs_ = 0.0;    // of all ranks, see Cloud::CLOSE
 
   std::unique_ptr<aleisph::FluidProperties> fluid_;

@@ -7,6 +7,7 @@
 #include "fix_aleisph_dt.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_record.h"
 #include "comm.h"
 #include "error.h"
 #include "force.h"
@@ -19,10 +20,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <limits>
 #include <map>
 #include <string>
-#include <type_traits>
+#include <vector>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -42,6 +43,26 @@ StepBound find_limit(const std::string &name)
   for (int k = first; k <= last; k++)
     if (name == to_string(static_cast<StepBound>(k))) return static_cast<StepBound>(k);
   return StepBound::NONE;
+}
+
+// what a run that goes on needs, and what is reported
+aleisph::Record record_of_choice()
+{
+  constexpr double MAX = std::numeric_limits<double>::max(), ANY = aleisph::Record::ANY;
+  std::vector<aleisph::Record::Value> values = {
+      {"the time step of the script", 0.0, MAX},
+      {"the limit", -1.0, ANY},
+      {"align", 0.0, MAX},
+      {"the time step", 0.0, MAX},
+      {"the time step without bound", 0.0, MAX},
+      {"the ceiling", 0.0, ANY},
+      {"the acting bound", 0.0, aleisph::NUM_STEP_BOUNDS - 1.0},
+      {"the number of changes", 0.0, aleisph::Record::MANY}};
+  for (int k = 0; k < aleisph::NUM_STEP_BOUNDS; k++) {
+    values.push_back({"a bound", 0.0, ANY});
+    values.push_back({"a number of choices", 0.0, aleisph::Record::MANY});
+  }
+  return {"aleisph/dt", 2, values};
 }
 
 // a share above 1 is unstable; the others are a matter of accuracy
@@ -249,19 +270,27 @@ double FixAleisphDt::compute_vector(int n)
 void FixAleisphDt::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const Saved saved = {control_.state, script_dt_, limit_, limit_align_};
-  static_assert(std::is_trivially_copyable<Saved>::value, "written as it stands");
-  const int size = sizeof(saved);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&saved, sizeof(saved), 1, fp);
+  const auto &state = control_.state;
+  std::vector<double> values = {script_dt_,      limit_,        limit_align_, state.dt,
+                                state.unbounded, state.ceiling, state.acting, state.changes};
+  for (int k = 0; k < aleisph::NUM_STEP_BOUNDS; k++) {
+    values.push_back(state.bounds[static_cast<StepBound>(k)]);
+    values.push_back(state.acted[k]);
+  }
+  write_record(fp, record_of_choice(), values);
 }
 
 void FixAleisphDt::restart(char *buf)
 {
-  Saved saved;
-  std::memcpy(&saved, buf, sizeof(saved));
-  control_.state = saved.control;
-  script_dt_ = saved.script_dt;
-  limit_ = saved.limit;
-  limit_align_ = saved.align;
+  const auto values = read_record(error, this, record_of_choice(), buf);
+  auto next = values.begin();
+  auto &state = control_.state;
+  for (double *member : {&script_dt_, &limit_, &limit_align_, &state.dt, &state.unbounded,
+                         &state.ceiling, &state.acting, &state.changes})
+    *member = *next++;
+  state.bounds = aleisph::StepBounds();
+  for (int k = 0; k < aleisph::NUM_STEP_BOUNDS; k++) {
+    state.bounds.lower(static_cast<StepBound>(k), *next++);
+    state.acted[k] = *next++;
+  }
 }

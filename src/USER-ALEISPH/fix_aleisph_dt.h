@@ -35,14 +35,6 @@ class FixAleisphDt : public Fix {
   void restart(char *) override;
 
  private:
-  // What a run that goes on needs; doubles only, as it is written to restart files
-  struct Saved {
-    aleisph::StepControl::State control;
-    double script_dt;    // the last one that a timestep command has set
-    double limit;        // smallest bound at the end of the last run; < 0: choose anew
-    double align;
-  };
-
   void parse(int narg, char **arg);
   void adopt_timestep();
   double time() const;
@@ -55,8 +47,10 @@ class FixAleisphDt : public Fix {
   int every_;
   aleisph::StepControl control_;
   class FixAleisph *owner_;
-  double script_dt_, limit_, limit_align_;
-  bool warned_;    // in this run
+  double script_dt_;      // the last one that a timestep command has set
+  double limit_;          // smallest bound at the end of the last run; < 0: choose anew
+  double limit_align_;    // keyword align then
+  bool warned_;           // in this run
 };
 
 }    // namespace LAMMPS_NS

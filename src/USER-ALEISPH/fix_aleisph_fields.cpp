@@ -6,9 +6,14 @@
 
 #include "aleisph_halo_fields.h"
 
+#include "aleisph_record.h"
 #include "atom.h"
+#include "error.h"
 #include "fmt/format.h"
 #include "modify.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 
@@ -26,7 +31,87 @@ constexpr Property PROPERTIES[] = {
     {"ALEISPH_N", "d2_aleisph_n 4"},
 };
 
+// those that more than one fix may write, or that keep what depends on who does
+constexpr const char *WRITTEN[AleisphFields::WRITTEN_FIELDS] = {"aleisph_u", "aleisph_n"};
+
+// all that are kept with the particles, if the script has a fix that asks for them
+constexpr const char *KEPT[] = {"aleisph_p", "aleisph_vw", "aleisph_n",
+                                "aleisph_u", "aleisph_a",  "aleisph_w"};
+
 }    // namespace
+
+void AleisphFields::forget_writers()
+{
+  writers_.clear();
+}
+
+void AleisphFields::add_writer(const std::string &field, const std::string &writer)
+{
+  writers_[field] += writer + "\n";
+}
+
+void AleisphFields::settle()
+{
+  kept_.clear();
+  for (const std::string field : WRITTEN) {
+    const std::string &now = writers_[field];
+    // 32 bits: a double of a restart record holds them. No writers: 0
+    const auto mark = now.empty()
+        ? 0
+        : static_cast<std::uint32_t>(aleisph::checksum(now.data(), now.size()));
+    const auto before = owned_by_.find(field);
+    if (mark != 0 && before != owned_by_.end() && before->second == mark)
+      kept_.insert(field);
+    else
+      clear(field);
+    owned_by_[field] = mark;
+  }
+}
+
+void AleisphFields::clear(const std::string &field)
+{
+  int flag, cols;
+  const int index = atom->find_custom(field.c_str(), flag, cols);
+  if (index < 0 || atom->nmax == 0) return;
+  std::fill_n(&atom->darray[index][0][0], static_cast<std::size_t>(cols) * atom->nmax, 0.0);
+}
+
+std::vector<double> AleisphFields::writers() const
+{
+  std::vector<double> marks;
+  for (const char *field : WRITTEN) {
+    const auto found = owned_by_.find(field);
+    marks.push_back(found == owned_by_.end() ? 0.0 : found->second);
+  }
+  return marks;
+}
+
+void AleisphFields::set_writers(const double *writers)
+{
+  for (int k = 0; k < WRITTEN_FIELDS; k++)
+    owned_by_[WRITTEN[k]] = static_cast<std::uint32_t>(writers[k]);
+}
+
+void AleisphFields::require_finite() const
+{
+  for (const char *field : KEPT) {
+    int flag, cols;
+    const int index = atom->find_custom(field, flag, cols);
+    if (index < 0) continue;
+    tagint bad = 0;
+    for (int i = 0; i < atom->nlocal; i++)
+      for (int a = 0; a < std::max(cols, 1); a++)
+        if (!std::isfinite(cols ? atom->darray[index][i][a] : atom->dvector[index][i]))
+          bad = atom->tag[i];
+    tagint worst = 0;
+    MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+    if (worst)
+      error->all(FLERR,
+                 "Fix aleisph: property {}_{} of atom {} is not finite; it came from a file or a "
+                 "set command: set it to 0",
+                 cols ? "d2" : "d", field, worst);
+  }
+}
 
 void AleisphFields::add_properties()
 {

@@ -7,6 +7,7 @@
 #include "fix_aleisph_guard.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_record.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -25,6 +27,18 @@ using aleisph::Part;
 namespace {
 
 constexpr char SHIFT[] = "aleisph_u";
+
+// of each guard
+aleisph::Record record_of_totals(int guards)
+{
+  std::vector<aleisph::Record::Value> values;
+  for (int k = 0; k < guards; k++) {
+    values.push_back({"a number of events", 0.0, aleisph::Record::MANY});
+    values.push_back(
+        {"an energy", -std::numeric_limits<double>::max(), std::numeric_limits<double>::max()});
+  }
+  return {"aleisph/guard", 2, values};
+}
 
 }    // namespace
 
@@ -89,13 +103,14 @@ void FixAleisphGuard::init()
   int flag, cols;
   if (walls_ > 0.0 && atom->find_custom(SHIFT, flag, cols) < 0)
     error->all(FLERR, "Fix aleisph/guard: keyword walls needs frame ale in fix aleisph/predictor");
+  if (walls_ > 0.0) owner_->fields().add_writer(SHIFT, style);
   if (limit_pressure_ || symmetric_ > 0.0 || selfterm_) owner_->scene().set_pressure_guard(this);
 }
 
 // What the first shift leads to is held off walls, too. A run that goes on has this done already.
 void FixAleisphGuard::setup(int)
 {
-  if (walls_ > 0.0 && !started_) hold_off_walls();
+  if (walls_ > 0.0 && (!started_ || !owner_->fields().kept(SHIFT))) hold_off_walls();
   started_ = true;
 }
 
@@ -283,21 +298,19 @@ void FixAleisphGuard::write_restart(FILE *fp)
     state[2 * k] = records_[k].total;
     state[2 * k + 1] = records_[k].energy;
   }
-  double total[2 * NUM_GUARDS];
-  MPI_Reduce(state, total, 2 * NUM_GUARDS, MPI_DOUBLE, MPI_SUM, 0, world);
+  std::vector<double> total(2 * NUM_GUARDS);
+  MPI_Reduce(state, total.data(), 2 * NUM_GUARDS, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me) return;
-  const int size = sizeof(total);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(total, sizeof(total), 1, fp);
+  write_record(fp, record_of_totals(NUM_GUARDS), total);
 }
 
 // the totals are those of all ranks: rank 0 goes on with them
 
 void FixAleisphGuard::restart(char *buf)
 {
+  const auto state = read_record(error, this, record_of_totals(NUM_GUARDS), buf);
   started_ = true;
   if (comm->me) return;
-  const double *state = reinterpret_cast<double *>(buf);
   for (int k = 0; k < NUM_GUARDS; k++) {
     records_[k].total = state[2 * k];
     records_[k].energy = state[2 * k + 1];

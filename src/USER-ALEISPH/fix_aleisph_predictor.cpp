@@ -7,6 +7,7 @@
 #include "fix_aleisph_predictor.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_record.h"
 #include "aleisph_halo_solver.h"
 #include "atom.h"
 #include "comm.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -36,6 +38,8 @@ constexpr char SHIFT_FIX[] = "ALEISPH_U";
 constexpr char SHIFT[] = "aleisph_u";
 // From this theta nu dt/d^2 on ILU(0), kept over some steps, takes less time than Jacobi
 constexpr double MIN_ILU_NUMBER = 0.5;
+const aleisph::Record RECORD("aleisph/predictor", 2,
+                             {{"the last time step", 0.0, std::numeric_limits<double>::max()}});
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::VISCOUS)];
 
 }    // namespace
@@ -152,13 +156,21 @@ int FixAleisphPredictor::setmask()
 void FixAleisphPredictor::post_constructor()
 {
   const auto add = [this](const char *id, const char *name) {
-    modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", id, name));
+    return modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", id, name));
   };
   if (params_.ab2) add(ACCELERATION_FIX, ACCELERATION);
   if (prescribed())
     add(TRANSPORT_FIX, TRANSPORT);
   else if (params_.frame == Frame::ALE)
-    add(SHIFT_FIX, SHIFT);
+    lose_shift(add(SHIFT_FIX, SHIFT));
+}
+
+// A new field holds nothing, unless it came from a restart file
+void FixAleisphPredictor::lose_shift(const Fix *property) const
+{
+  if (property->restart_reset) return;
+  for (Fix *owner : modify->get_fix_by_style("^aleisph$"))
+    dynamic_cast<FixAleisph *>(owner)->fields().lose(SHIFT);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -519,9 +531,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
 void FixAleisphPredictor::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const int size = sizeof(double);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&previous_dt_, sizeof(double), 1, fp);
+  write_record(fp, RECORD, {params_.ab2 ? previous_dt_ : 0.0});
 }
 
 // The continued run starts with a new preconditioner: so must this one, for the same results
@@ -532,7 +542,8 @@ void FixAleisphPredictor::write_restart_file(const char *)
 
 void FixAleisphPredictor::restart(char *buf)
 {
-  previous_dt_ = *reinterpret_cast<double *>(buf);
+  const double dt = read_record(error, this, RECORD, buf)[0];
+  previous_dt_ = params_.ab2 ? dt : 0.0;    // without the field it stands for nothing
 }
 
 double FixAleisphPredictor::viscous_number() const

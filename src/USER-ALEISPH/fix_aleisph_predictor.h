@@ -65,6 +65,7 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   void parse(int narg, char **arg);
   bool prescribed() const { return !params_.transport.empty(); }
   bool shifted() const { return params_.frame == Frame::ALE && !prescribed(); }
+  void lose_shift(const Fix *property) const;
   void check_transport() const;
   void check_shift() const;
   void check_other_integrators() const;

@@ -7,6 +7,7 @@
 #include "fix_aleisph_shift.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_record.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -36,6 +37,10 @@ constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
 constexpr double RATE_FULL = 2.0;
+
+const aleisph::Record RECORD("aleisph/shift", 2,
+                             {{"whether it has started", 0.0, 1.0},
+                              {"the number of limited shifts", 0.0, aleisph::Record::MANY}});
 
 double dot(const double *a, const double *b)
 {
@@ -151,13 +156,14 @@ void FixAleisphShift::init()
   if (atom->find_custom(SHIFT, flag, cols) < 0)
     error->all(FLERR, "Fix aleisph/shift needs frame ale in fix aleisph/predictor");
   if (velocity_) velocity_->check();
+  owner_->fields().add_writer(SHIFT, style);
   if (filter_ > 0.0 && owner_->scene().surface().present) owner_->scene().add_acceleration(this);
 }
 
 // A run that goes on keeps the shift that its last step left.
 void FixAleisphShift::setup(int)
 {
-  if (!started_) shift();
+  if (!started_ || !owner_->fields().kept(SHIFT)) shift();
 }
 
 void FixAleisphShift::final_integrate()
@@ -294,15 +300,12 @@ void FixAleisphShift::write_restart(FILE *fp)
   double total;
   MPI_Reduce(&limited_total_, &total, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me) return;
-  const double state[2] = {static_cast<double>(started_), total};
-  const int size = sizeof(state);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(state, sizeof(state), 1, fp);
+  write_record(fp, RECORD, {static_cast<double>(started_), total});
 }
 
 void FixAleisphShift::restart(char *buf)
 {
-  const double *state = reinterpret_cast<double *>(buf);
+  const auto state = read_record(error, this, RECORD, buf);
   started_ = state[0] != 0.0;
   limited_total_ = comm->me == 0 ? state[1] : 0.0;
 }

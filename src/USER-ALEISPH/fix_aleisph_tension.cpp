@@ -177,6 +177,11 @@ void FixAleisphTension::pre_force(int)
   find_pressure();
 }
 
+bool FixAleisphTension::ready() const
+{
+  return version_ >= 0 && version_ == owner_->cloud().version();
+}
+
 // everything that depends on the positions alone
 void FixAleisphTension::rebuild()
 {

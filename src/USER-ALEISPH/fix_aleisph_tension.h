@@ -48,6 +48,7 @@ class FixAleisphTension :
   double memory_usage() override;
 
   // aleisph::SurfaceTension, owned particles, zero away from the surface
+  bool ready() const override;
   const double *surface_pressure() const override { return p_.data(); }
   const double *curvature() const override { return result().K.data(); }
   const double *surface_normal() const override { return result().N.data(); }

@@ -29,7 +29,7 @@ constexpr double UNIT_TOLERANCE = 1.0e-5;
 
 FixAleisphWall::FixAleisphWall(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), slip_(false), curlcurl_(false), owner_(nullptr), searched_(false),
-    warned_(false), fallback_(0), unknown_(0), contradictory_(0), wrong_(0)
+    watching_(false), warned_(false), fallback_(0), unknown_(0), contradictory_(0), wrong_(0)
 {
   parse(narg, arg);
   nevery = 1;
@@ -95,8 +95,10 @@ void FixAleisphWall::init()
   if (curlcurl_) role |= aleisph::CURLCURL;
   owner_->scene().add_role(role, groupbit);
   owner_->scene().add_walls(this);
+  owner_->fields().add_writer("aleisph_n",
+                              fmt::format("{} {} {}", id, group->names[igroup], given_));
   add_claims();
-  searched_ = warned_ = false;
+  searched_ = watching_ = warned_ = false;
 
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix aleisph/wall: group {} is empty", group->names[igroup]);
@@ -136,7 +138,7 @@ void FixAleisphWall::setup_pre_force(int vflag)
 void FixAleisphWall::pre_force(int)
 {
   if (!velocity_.empty()) set_velocity();
-  if (searched_) check_normals();
+  if (searched_ || watching_) check_normals();
 }
 
 void FixAleisphWall::setup(int)
@@ -255,7 +257,6 @@ void FixAleisphWall::require_fluid(const aleisph::Stencil &walls, const aleisph:
 
 void FixAleisphWall::check_normals()
 {
-  searched_ = false;
   unknown_ = 0;
   tagint bad = 0;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -263,12 +264,14 @@ void FixAleisphWall::check_normals()
     unknown_++;
     if (!(owner_->cloud().role()[i] & aleisph::DRY)) bad = atom->tag[i];
   }
-  if ((bad = owner_->ranks().largest(bad)))
+  watching_ = owner_->ranks().any(unknown_ > 0);
+  if (watching_ && (bad = owner_->ranks().largest(bad)))
     error->all(FLERR,
                "Fix aleisph/wall: other wall particles hide the fluid from atom {}, so its normal "
                "is unknown; remove it or use normals given",
                bad);
-  warn_of_contradictions();
+  if (searched_) warn_of_contradictions();
+  searched_ = false;
 }
 
 void FixAleisphWall::warn_of_contradictions()

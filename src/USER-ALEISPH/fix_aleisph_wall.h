@@ -55,6 +55,7 @@ class FixAleisphWall : public Fix, public aleisph::NormalFinder {
   std::string given_;                        // name of the custom property, empty: automatic
   class FixAleisph *owner_;
   bool searched_;    // normals were looked for since they were last checked
+  bool watching_;    // some are not known: fluid may come to where they are needed
   bool warned_;      // in this run
   // of this rank, at the last search: normals that are not from facets, not known, and at odds
   // with that of a neighbour; the ID of one of the last

@@ -10,6 +10,7 @@
 #include "fix_aleisph.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_normals.h"
 #include "aleisph_wall_dry.h"
 #include "atom.h"
 #include "neigh_list.h"
@@ -23,6 +24,8 @@ using aleisph::Role;
 
 namespace {
 constexpr int COLUMNS = 4;
+// as stored shape: a search has not found the normal
+constexpr double SEARCHED = -1.0;
 
 bool is_zero(const double *n)
 {
@@ -33,8 +36,9 @@ bool is_zero(const double *n)
 
 /* ----------------------------------------------------------------------
    Normals into the fluid and shapes of all wall particles, owned and ghost.
-   They are found at the start of a run, while one is unknown, and whenever a
-   wall moves; else those kept with the particles are taken.
+   They are found at the start of a run, whenever a wall moves, and when one
+   that was not found comes in sight of fluid; else those kept with the
+   particles are taken.
 ------------------------------------------------------------------------- */
 
 void FixAleisph::restore_walls()
@@ -44,7 +48,7 @@ void FixAleisph::restore_walls()
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(cloud_->role()[i] & aleisph::WALL)) continue;
     std::copy(stored + COLUMNS * i, stored + COLUMNS * i + 3, cloud_->normal() + 3 * i);
-    cloud_->shape()[i] = stored[COLUMNS * i + 3];
+    cloud_->shape()[i] = std::max(0.0, stored[COLUMNS * i + 3]);
   }
 }
 
@@ -53,11 +57,28 @@ bool FixAleisph::walls_changed()
 {
   if (scene_->walls().empty()) return false;
   bool changed = !walls_located_;
-  for (int i = 0; i < atom->nlocal && !changed; i++)
-    if (cloud_->role()[i] & aleisph::WALL)
-      changed = is_zero(cloud_->normal() + 3 * i) || !is_zero(atom->v[i]);
   walls_located_ = true;
-  return changed;
+  const double *stored = fields_->wall_normals();
+  aleisph::Rows unknown;
+  for (int i = 0; i < atom->nlocal && !changed; i++) {
+    if (!(cloud_->role()[i] & aleisph::WALL)) continue;
+    const bool known = !is_zero(cloud_->normal() + 3 * i);
+    changed = !is_zero(atom->v[i]) || (!known && stored[COLUMNS * i + 3] != SEARCHED);
+    if (!known) unknown.push_back(i);
+  }
+  return changed || (!unknown.empty() && in_sight(unknown));
+}
+
+// Their neighbours that are known have not changed, nor have ghosts that are not known.
+bool FixAleisph::in_sight(const std::vector<int> &unknown) const
+{
+  constexpr aleisph::Role ASKED = 1u << 31;    // none of the roles
+  std::vector<aleisph::Role> role(cloud_->role(), cloud_->role() + cloud_->size());
+  for (const int i : unknown) role[i] |= ASKED;
+  aleisph::Stencil stencil;
+  stencil.build(cloud_->kernel(), atom->nlocal, atom->x,
+                {list_->numneigh, list_->firstneigh, NEIGHMASK}, {role.data(), ASKED, 0});
+  return aleisph::normals_in_sight(stencil, unknown, *cloud_);
 }
 
 void FixAleisph::locate_walls(bool changed)
@@ -70,7 +91,7 @@ void FixAleisph::locate_walls(bool changed)
     for (int i = 0; i < atom->nlocal; i++) {
       if (!(cloud_->role()[i] & aleisph::WALL)) continue;
       std::copy(cloud_->normal() + 3 * i, cloud_->normal() + 3 * i + 3, stored + COLUMNS * i);
-      stored[COLUMNS * i + 3] = cloud_->shape()[i];
+      stored[COLUMNS * i + 3] = is_zero(cloud_->normal() + 3 * i) ? SEARCHED : cloud_->shape()[i];
     }
   }
   ranks_->forward(cloud_->normal(), 3);

@@ -406,3 +406,32 @@ TEST(Tension, Filter)
   EXPECT_LT(some.energy, 0.99 * none.energy);
   EXPECT_LT(more.energy, some.energy);
 }
+
+// In a step, walls come before tension: its fields are not known there, which is said
+TEST(TensionStyle, FieldsAreAskedForTooEarly)
+{
+  for (const char *field : {"kappa", "ptension", "tnx", "contact"}) {
+    SCOPED_TRACE(field);
+    const Scene scene = open_tank(2, 8);
+    Simulation sim(scene);
+    Script script = free_script(scene);
+    script.wall = fmt::format(
+        "compute k fluid aleisph/atom {} p\ncompute km fluid reduce max c_k[1]\n"
+        "variable vw equal 0.0*c_km\n"
+        "fix wall wall aleisph/wall velocity v_vw 0 0",
+        field);
+    script.surface += "\nfix tens fluid aleisph/tension sigma 1e-3";
+    script.timestep = "timestep 1e-4";
+    expect_words(sim.error_of(script.text() + "run 1"),
+                 {"ompute aleisph/atom: fix aleisph/tension has not been through this step",
+                  "use its fields in output"});
+
+    // in output they are
+    Simulation again(scene);
+    script.wall = fmt::format("compute k fluid aleisph/atom {}\ncompute km fluid reduce max c_k\n"
+                              "thermo_style custom step c_km\nthermo 1\n"
+                              "fix wall wall aleisph/wall",
+                              field);
+    EXPECT_EQ(again.error_of(script.text() + "run 2"), "");
+  }
+}

@@ -5,6 +5,7 @@
    spread over ranks and fixes, and stay with the particles.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_halo_owner.h"
 #include "errors.h"
 #include "script.h"
 #include "simulation.h"
@@ -121,6 +122,8 @@ TEST(WallNormals, HiddenFloorStaysUnknown)
     a.run(surface_script(with).text() + "run 5");
     b.run(surface_script(without).text() + "run 5");
     EXPECT_EQ(unknown(a), static_cast<double>(with.x.size() - without.x.size()));
+    // searched for once, not in every step
+    EXPECT_EQ(LAMMPS_NS::FixAleisph::find(&a.lammps(), "test")->tally().wall_passes, 1);
     const auto pa = a.pressure(), pb = b.pressure();
     EXPECT_NEAR(*std::max_element(pa.begin(), pa.end()), *std::max_element(pb.begin(), pb.end()),
                 1e-9);
