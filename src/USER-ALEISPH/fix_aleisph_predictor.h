@@ -51,6 +51,11 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   void restart(char *) override;
 
  private:
+  // custom properties, 3 per particle: acceleration of the step before, prescribed transport
+  // velocity, velocity of shifting
+  static constexpr char ACCELERATION[] = "aleisph_a", TRANSPORT[] = "aleisph_w",
+                        SHIFT[] = "aleisph_u";
+
   enum class Frame { LAGRANGIAN, EULERIAN, ALE };
   struct Params {
     Frame frame = Frame::LAGRANGIAN;

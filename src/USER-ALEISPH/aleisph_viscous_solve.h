@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   The matrix of implicit viscosity, the same for each component of v:
+     fluid   v_i - share (lap v)_i, without slip walls, share = theta dt nu
+     buffer  v_i - v_source
+     others  v_i
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_VISCOUS_SOLVE_H
+#define LMP_ALEISPH_VISCOUS_SOLVE_H
+
+#include "aleisph_csr.h"
+
+#include <vector>
+
+namespace aleisph {
+
+class Cloud;
+class VelocityCondition;
+
+// conditions: they know the sources of buffer particles
+void assemble_viscous(Cloud &cloud, double share,
+                      const std::vector<VelocityCondition *> &conditions, CsrMatrix &matrix);
+
+}    // namespace aleisph
+#endif

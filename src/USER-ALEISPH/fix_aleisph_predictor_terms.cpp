@@ -1,0 +1,160 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   The predictor: terms of the acceleration, and the explicit step
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_predictor.h"
+
+#include "aleisph_halo_owner.h"
+#include "atom.h"
+#include "domain.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using aleisph::Part;
+
+/* ----------------------------------------------------------------------
+   Before the first pressure: v* := dt (nu lap v + f/m - v.grad v), the
+   acceleration of the fluid without pressure, whatever the frame.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::setup(int)
+{
+  // a time step that is chosen is checked in reset_dt()
+  if (!owner_->scene().adaptive_step()) check_viscous_limit();
+  if (prescribed()) evaluate_transport();
+  if (owner_->fields().pressure_known()) return;
+  const aleisph::Field velocity = owner_->fields().velocity();
+  owner_->ranks().forward(velocity);
+  const double *v = velocity.all();
+
+  aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
+  auto &cloud = owner_->cloud();
+  body_acceleration(a_);
+  aleisph::convection(cloud, cloud.fluid(), v, v, work_.data());
+  for (const int i : cloud.fluid())
+    for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
+  add_viscosity(1.0, a_);
+  add_wall_viscosity(a_);
+  add_other_terms(a_);
+  double *vstar = owner_->fields().predicted().edit();
+  for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
+    for (const int i : *rows)
+      for (int a = 0; a < 3; a++) vstar[3 * i + a] = update->dt * a_[3 * i + a];
+}
+
+void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
+{
+  const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
+  a.assign(n, 0.0);
+  work_.resize(n);
+  const auto &cloud = owner_->cloud();
+  const double per_mass = 1.0 / owner_->particle_mass();
+  for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
+    for (const int i : *rows)
+      for (int c = 0; c < domain->dimension; c++) a[3 * i + c] = per_mass * atom->f[i][c];
+}
+
+void FixAleisphPredictor::add_convection(std::vector<double> &a)
+{
+  if (params_.frame == Frame::LAGRANGIAN) return;
+  auto &cloud = owner_->cloud();
+  const double *v = owner_->fields().velocity().all();
+  const double *c = v;
+  if (params_.frame == Frame::ALE) {
+    relative_.resize(a.size());
+    const double *w = owner_->fields().property(shifted() ? SHIFT : TRANSPORT);
+    for (std::size_t k = 0; k < a.size(); k++) relative_[k] = shifted() ? -w[k] : v[k] - w[k];
+    c = relative_.data();
+  }
+  aleisph::convection(cloud, cloud.fluid(), c, v, work_.data());
+  for (const int i : cloud.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
+}
+
+void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
+{
+  if (nu_ == 0.0 || share == 0.0) return;
+  auto &cloud = owner_->cloud();
+  aleisph::laplacian(cloud, cloud.fluid(), owner_->fields().velocity().all(), work_.data());
+  for (const int i : cloud.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share * nu_ * work_[k];
+  owner_->tally().viscous_passes++;
+}
+
+/* ----------------------------------------------------------------------
+   On walls that ask for it, the viscous force that balances the normal
+   pressure gradient: nu lap v = -nu curl curl v for a divergence-free v.
+   The Laplacian itself would be one-sided there, which is unstable.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
+{
+  if (nu_ == 0.0) return;
+  auto &cloud = owner_->cloud();
+  aleisph::Rows rows;
+  for (const int i : cloud.wall())
+    if (cloud.role()[i] & aleisph::CURLCURL) rows.push_back(i);
+  if (!owner_->ranks().any(!rows.empty())) return;
+
+  std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
+  aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
+  owner_->ranks().forward(vorticity.data(), 3);
+  aleisph::curl(cloud, rows, vorticity.data(), work_.data());
+  for (const int i : rows)
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
+}
+
+void FixAleisphPredictor::add_other_terms(std::vector<double> &a)
+{
+  for (auto *term : owner_->scene().accelerations()) term->add_acceleration(a.data());
+}
+
+// Adams-Bashforth: replaces a by its second-order extrapolation to the middle of the step
+void FixAleisphPredictor::extrapolate(std::vector<double> &a)
+{
+  if (!params_.ab2) return;
+  double *old = owner_->fields().property(ACCELERATION);
+  const double half_ratio = previous_dt_ > 0.0 ? 0.5 * update->dt / previous_dt_ : 0.0;
+  for (std::size_t k = 0; k < a.size(); k++) {
+    const double now = a[k];
+    a[k] += half_ratio * (now - old[k]);
+    old[k] = now;
+  }
+  previous_dt_ = update->dt;
+}
+
+void FixAleisphPredictor::predict_explicit()
+{
+  aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
+  const auto &cloud = owner_->cloud();
+  body_acceleration(a_);
+  add_convection(a_);
+  add_viscosity(1.0, a_);
+  add_wall_viscosity(a_);
+  add_other_terms(a_);
+  extrapolate(a_);
+  const double *v = owner_->fields().velocity().all();
+  double *vstar = owner_->fields().predicted().edit();
+  for (const int i : cloud.fluid())
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
+  predict_walls();
+}
+
+/* ----------------------------------------------------------------------
+   v* of a wall is what the fluid at this place would have without pressure:
+   the velocity before the step and the body force. With the velocity after
+   the step the acceleration of a wall would not push the fluid.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::predict_walls()
+{
+  const auto &wall = owner_->cloud().wall();
+  const double *before = owner_->fields().wall_velocity();
+  double *vstar = owner_->fields().predicted().edit();
+  for (const int i : wall)
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
+}
