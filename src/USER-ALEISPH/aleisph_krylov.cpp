@@ -13,6 +13,10 @@
    any b. The mean of a product is summed together with its dot products,
    which are corrected for it, and subtracted where the product is used; r,
    r0 and p have no mean.
+
+   The largest |r_i| of n entries lies between |r|/sqrt(n) and |r|. Where
+   it decides, it is looked for only if the first is small enough and the
+   second is not.
 ------------------------------------------------------------------------- */
 
 #include "aleisph_krylov.h"
@@ -65,6 +69,9 @@ class BiCGStab::Run {
   SolveReport finish(SolveStatus status, double norm);
   double subtract_mean(double *v, double *square = nullptr);
   double true_residual();
+  bool converged(double norm) const;
+  bool may_have_converged(double norm) const;
+  bool inspect(double omega, double t_mean);
 
   Exit cycle(double norm);
   Exit bicg_step(bool first);
@@ -82,6 +89,7 @@ class BiCGStab::Run {
 
   SolveReport report_;
   double n_global_ = 0.0, target_ = 0.0, best_norm_ = 0.0, cycle_norm_ = 0.0;
+  double largest_ = 0.0, best_largest_ = 0.0;    // entry of the true residual, or a bound on it
   int idle_ = 0;
   double rho_ = 0.0, alpha_ = 0.0, v_mean_ = 0.0, r0_length_ = 0.0;
 };
@@ -101,21 +109,23 @@ SolveReport BiCGStab::Run::solve(const double *b)
   const bool zero = load_rhs(b);
   if (!std::isfinite(report_.rhs_norm)) {
     report_.status = SolveStatus::NOT_FINITE;
-    report_.residual = report_.initial_residual = report_.rhs_norm;
+    report_.residual = report_.initial_residual = report_.largest = report_.rhs_norm;
     return report_;
   }
   if (zero) {
     std::fill(x_, x_ + columns_, 0.0);
     report_.status = SolveStatus::ZERO_RHS;
-    report_.residual = report_.initial_residual = report_.rhs_norm;
+    report_.residual = report_.initial_residual = report_.largest = report_.rhs_norm;
     return report_;
   }
 
-  target_ = std::max(params_.rtol * report_.rhs_norm, params_.atol);
   best_norm_ = std::numeric_limits<double>::infinity();
   double norm = report_.initial_residual = true_residual();
+  target_ = params_.largest > 0.0 ? std::min(params_.largest, params_.share * largest_)
+                                  : params_.rtol * report_.rhs_norm;
+  report_.target = target_ = std::max(target_, params_.atol);
   for (Exit exit = Exit::NONE;;) {
-    if (norm <= target_) return finish(SolveStatus::CONVERGED, norm);
+    if (converged(norm)) return finish(SolveStatus::CONVERGED, norm);
     if (exit == Exit::NOT_FINITE || !std::isfinite(norm))
       return finish(SolveStatus::NOT_FINITE, norm);
     if (report_.iterations >= params_.max_iterations)
@@ -127,6 +137,7 @@ SolveReport BiCGStab::Run::solve(const double *b)
     if (norm < best_norm_) {
       std::copy(x_, x_ + columns_, best_.begin());
       best_norm_ = norm;
+      best_largest_ = largest_;
     }
     exit = cycle(norm);
     norm = true_residual();
@@ -167,10 +178,12 @@ SolveReport BiCGStab::Run::finish(SolveStatus status, double norm)
 {
   report_.status = status;
   report_.residual = norm;
+  report_.largest = largest_;
   if (status != SolveStatus::CONVERGED && best_norm_ < std::numeric_limits<double>::infinity() &&
       !(norm <= best_norm_)) {
     std::copy(best_.begin(), best_.end(), x_);
     report_.residual = best_norm_;
+    report_.largest = best_largest_;
   }
   return report_;
 }
@@ -195,20 +208,39 @@ double BiCGStab::Run::subtract_mean(double *v, double *square)
   return mean;
 }
 
-// r = b - A x; its norm
+// of the true residual
+bool BiCGStab::Run::converged(double norm) const
+{
+  return norm <= target_ || (params_.largest > 0.0 && largest_ <= target_);
+}
+
+// of a norm above the target: is a look at the entries worth a reduction?
+bool BiCGStab::Run::may_have_converged(double norm) const
+{
+  return params_.largest > 0.0 && norm <= std::sqrt(n_global_) * target_;
+}
+
+// r = b - A x; its norm, and its largest entry where that decides
 double BiCGStab::Run::true_residual()
 {
   if (params_.remove_mean) subtract_mean(x_);
   A_.apply(x_, r_.data());
   for (int i = 0; i < n_; i++) r_[i] = b_[i] - r_[i];
   double square, sums[3];
-  if (params_.remove_mean) {
+  if (params_.remove_mean)
     subtract_mean(r_.data(), &square);
-    return std::sqrt(square);
+  else {
+    product_sums(n_, r_.data(), r_.data(), sums);
+    ip_.sum(3, sums);
+    square = sums[1];
   }
-  product_sums(n_, r_.data(), r_.data(), sums);
-  ip_.sum(3, sums);
-  return std::sqrt(sums[1]);
+  largest_ = std::sqrt(square);
+  if (params_.largest > 0.0 && std::isfinite(square)) {
+    const double *r = r_.data();
+    largest_ = largest_size(n_, [=](auto at) { return at(r); });
+    ip_.max(1, &largest_);
+  }
+  return std::sqrt(square);
 }
 
 // iterations from the true residual r of this norm, with r as shadow residual
@@ -286,7 +318,8 @@ BiCGStab::Run::Exit BiCGStab::Run::stabilize()
   const double r_length = std::sqrt(r_r);
   if (!std::isfinite(r_length)) return Exit::NOT_FINITE;
 
-  const bool converged = r_length <= target_;
+  const bool converged = r_length <= target_ ||
+      (may_have_converged(r_length) && inspect(omega, t_mean));
   if (converged || vanishes(t_s, std::sqrt(t_t), s_length) || vanishes(rho, r0_length_, r_length)) {
     advance(n_, alpha_, y_.data(), omega, z_.data(), x_);
     return converged ? Exit::CONVERGED : Exit::BREAKDOWN;
@@ -296,6 +329,16 @@ BiCGStab::Run::Exit BiCGStab::Run::stabilize()
   full_step(n_, {alpha_, omega, beta, v_mean_, t_mean}, y_.data(), z_.data(), t_.data(), v_.data(),
             x_, r_.data(), p_.data());
   return Exit::NONE;
+}
+
+// Are all entries of r = s - omega t, which the full step makes again, below the target?
+bool BiCGStab::Run::inspect(double omega, double t_mean)
+{
+  const double *t = t_.data(), *s = r_.data();
+  double largest = largest_size(n_, [=](auto at) { return at(s) - omega * (at(t) - t_mean); });
+  ip_.max(1, &largest);
+  report_.inspected++;
+  return largest <= target_;
 }
 
 // r.r and r0.r of r = s - omega t, which the full step makes again

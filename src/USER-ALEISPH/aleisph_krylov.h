@@ -35,11 +35,15 @@ class InnerProduct {
   virtual ~InnerProduct() = default;
   // replaces the n rank-local sums by their global sums: one reduction a call
   virtual void sum(int n, double *values) const = 0;
+  // the largest of all ranks, likewise
+  virtual void max(int n, double *values) const = 0;
 };
 
 struct KrylovParams {
   double rtol = 1.0e-8;    // converged if |r| <= max(rtol |b|, atol), 2-norms
-  double atol = 0.0;
+  double atol = 0.0;       // of both criteria
+  double largest = 0.0;    // if above 0, converged instead if no |r_i| is above this, and
+  double share = 1.0;      // none above this share of the largest at the start, or atol
   int max_iterations = 1000;
   int max_restarts = 20;
   bool remove_mean = false;    // singular system with constant null vector: the mean is
@@ -54,10 +58,13 @@ struct SolveReport {
   int iterations = 0;
   int restarts = 0;
   int recomputed = 0;               // iterations whose sums cancelled: one reduction more
+  int inspected = 0;                // iterations whose largest |r_i| was looked for: one more
   double rhs_norm = 0.0;            // |b| after remove_mean
   double rhs_mean = 0.0;            // what remove_mean took from b, else the mean of b
   double initial_residual = 0.0;    // |b - A x0|
   double residual = 0.0;            // true |b - A x| at the end, recomputed
+  double largest = 0.0;             // and its largest entry if that was asked for, else as residual
+  double target = 0.0;              // which the one or the other had to meet
   bool ok() const { return status == SolveStatus::CONVERGED || status == SolveStatus::ZERO_RHS; }
 };
 
@@ -65,7 +72,8 @@ struct SolveReport {
 // columns() entries, valid on ghosts too if A's halo exchange is; b: rows()
 // entries. All branches are taken on globally summed numbers, so that all
 // ranks leave together. A solve that fails returns the best x it knows the
-// true residual of. Two reductions an iteration, three where sums cancel.
+// true residual of. Two reductions an iteration, three where sums cancel, and
+// one more where the largest entry of the residual may be small enough.
 // Work vectors are kept between calls.
 class BiCGStab {
  public:

@@ -80,6 +80,24 @@ inline void stabilizer_sums(std::size_t n, const double *t, const double *s, con
   });
 }
 
+// the largest |value(at)| of i < n; a NaN is left to the sums
+template <class Value> double largest_size(std::size_t n, const Value &value)
+{
+  constexpr std::size_t width = sizeof(Quad) / sizeof(double);
+  const auto keep_larger = [](auto &largest, const auto v) {
+    const auto size = v > -v ? v : -v;
+    largest = size > largest ? size : largest;
+  };
+  Quad lanes = {};
+  std::size_t i = 0;
+  for (; i + width <= n; i += width) keep_larger(lanes, Quad(value(QuadAt{i})));
+  double largest = 0.0;
+  const double *lane = reinterpret_cast<const double *>(&lanes);
+  for (std::size_t l = 0; l < width; l++) keep_larger(largest, lane[l]);
+  for (; i < n; i++) keep_larger(largest, double(value(EntryAt{i})));
+  return largest;
+}
+
 // r -= alpha (v - mean)
 inline void half_step(std::size_t n, double alpha, const double *__restrict__ v, double mean,
                       double *__restrict__ r)

@@ -96,6 +96,10 @@ void LinearSolver::attempt(LinearOperator &A, const InnerProduct &ip, const doub
                            KrylovParams params, SolveReport &total)
 {
   const SolveReport before = total;
+  if (params.largest > 0.0 && before.target > 0.0) {    // by the start of the first attempt
+    params.largest = before.target;
+    params.share = 1.0;
+  }
   Preconditioner &M = moved_precond_ ? *moved_precond_ : *precond_;
   total = krylov_.solve(A, M, ip, b, x, params);
   counts_.iterations += total.iterations;

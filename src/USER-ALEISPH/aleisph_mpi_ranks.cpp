@@ -11,6 +11,13 @@ void Ranks::sum(int n, double *values) const
   MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, comm_);
 }
 
+void Ranks::max(int n, double *values) const
+{
+  Timers::Scope scope(timers_, Part::COMM);
+  traffic_.reductions++;
+  MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_MAX, comm_);
+}
+
 double Ranks::total(double value) const
 {
   traffic_.reductions++;

@@ -30,6 +30,7 @@ class Ranks : public InnerProduct {
 
   // -- reductions over all ranks
   void sum(int n, double *values) const override;
+  void max(int n, double *values) const override;
   long sum(long value) const;
   double total(double value) const;
   double max(double value) const;

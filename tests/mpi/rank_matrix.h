@@ -22,6 +22,10 @@ class MpiSum : public aleisph::InnerProduct {
   {
     MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   }
+  void max(int n, double *values) const override
+  {
+    MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  }
 };
 
 class RankMatrix : public aleisph::LinearOperator {

@@ -219,6 +219,94 @@ TEST(BiCGStab, AbsoluteTolerance)
   EXPECT_EQ(x, guess);
 }
 
+// No entry is above the bound in the end, and some entry was in every iteration before: those are
+// the x of solves that are limited to fewer iterations. The norm of the residual need not obey it.
+TEST(BiCGStab, LargestEntryEndsTheSolve)
+{
+  const Sparse A = convection_diffusion(24, 0.5);
+  Matrix matrix(A);
+  const Vector b = random_vector(24 * 24, 3);
+  int norm_above = 0;
+  for (PrecondType type : PRECONDITIONERS)
+    for (double bound : {0.2, 1.0e-2, 1.0e-5, 1.0e-9}) {
+      KrylovParams params;
+      params.largest = bound;
+      Vector x = Vector::Zero(b.size());
+      const SolveReport report = solve(matrix.csr(), type, b, x, params);
+      ASSERT_EQ(report.status, SolveStatus::CONVERGED);
+      const Vector r = b - A * x;
+      const double noise = 20.0 * EPS * (b.norm() + 8.0 * x.norm());
+      EXPECT_LE(r.cwiseAbs().maxCoeff(), bound + noise);
+      EXPECT_NEAR(report.largest, r.cwiseAbs().maxCoeff(), noise);
+      EXPECT_NEAR(report.residual, r.norm(), noise);
+      EXPECT_EQ(report.target, bound);
+      norm_above += r.norm() > bound;
+
+      ASSERT_GT(report.iterations, 0);
+      for (params.max_iterations = 0; params.max_iterations < report.iterations;
+           params.max_iterations++) {
+        x = Vector::Zero(b.size());
+        const SolveReport limited = solve(matrix.csr(), type, b, x, params);
+        EXPECT_EQ(limited.status, SolveStatus::MAX_ITERATIONS);
+        EXPECT_GT((b - A * x).cwiseAbs().maxCoeff(), bound);
+        EXPECT_NEAR(limited.largest, (b - A * x).cwiseAbs().maxCoeff(), noise);
+      }
+    }
+  EXPECT_GT(norm_above, 6);    // the criterion is not that of the norm
+}
+
+// of the residual of the guess, unless that is rounding error: then the guess is the solution
+TEST(BiCGStab, LargestEntryAsAShareOfTheStart)
+{
+  const Sparse A = convection_diffusion(24, 0.5);
+  Matrix matrix(A);
+  const Vector b = random_vector(24 * 24, 3);
+  KrylovParams params;
+  params.largest = 1.0;
+  params.share = 1.0e-2;
+  Vector x = Vector::Zero(b.size());
+  double start = b.cwiseAbs().maxCoeff();
+  for (int repeat = 0; repeat < 4; repeat++) {
+    const SolveReport report = solve(matrix.csr(), PrecondType::ILU0, b, x, params);
+    ASSERT_TRUE(report.ok());
+    const double noise = 20.0 * EPS * (b.norm() + 8.0 * x.norm());
+    EXPECT_NEAR(report.target, params.share * start, params.share * noise);
+    start = (b - A * x).cwiseAbs().maxCoeff();
+    EXPECT_LE(start, report.target + noise);
+    EXPECT_GT(report.iterations, 0);
+  }
+  params.largest = 1.0e-3 * start;    // the smaller bound counts
+  EXPECT_EQ(solve(matrix.csr(), PrecondType::ILU0, b, x, params).target, params.largest);
+  params.atol = 1.0e-5;    // but none below this one
+  const Vector guess = x;
+  const SolveReport report = solve(matrix.csr(), PrecondType::ILU0, b, x, params);
+  EXPECT_EQ(report.status, SolveStatus::CONVERGED);
+  EXPECT_EQ(report.iterations, 0);
+  EXPECT_EQ(report.target, params.atol);
+  EXPECT_EQ(x, guess);
+}
+
+// in a closed domain: of the residual without its mean
+TEST(BiCGStab, LargestEntryOfClosedSystem)
+{
+  const int n = 101;
+  const Sparse A = closed_interval(n);
+  Matrix matrix(A);
+  const Vector b = random_vector(n, 3);
+  KrylovParams params;
+  params.largest = 1.0e-6;
+  params.remove_mean = true;
+  for (PrecondType type : PRECONDITIONERS) {
+    Vector x = random_vector(n, 5);
+    const SolveReport report = solve(matrix.csr(), type, b, x, params);
+    ASSERT_EQ(report.status, SolveStatus::CONVERGED);
+    Vector r = b - A * x;
+    r.array() -= r.mean();
+    EXPECT_LE(r.cwiseAbs().maxCoeff(), 1.0e-6 + 100.0 * EPS * x.norm());
+    EXPECT_NEAR(report.largest, r.cwiseAbs().maxCoeff(), 100.0 * EPS * x.norm());
+  }
+}
+
 TEST(BiCGStab, NotFinite)
 {
   Matrix matrix(diagonally_dominant(30, 5));
@@ -240,6 +328,14 @@ TEST(BiCGStab, NotFinite)
       EXPECT_FALSE(std::isfinite(report.residual));
       EXPECT_EQ(report.iterations, 0);
       EXPECT_EQ((x.array().isFinite()).count(), 29);    // the culprit can still be named
+
+      params.largest = 1.0e3;    // what is not finite is not below it
+      report = solve(matrix.csr(), PrecondType::ILU0, b, x, params);
+      EXPECT_EQ(report.status, SolveStatus::NOT_FINITE);
+      x = guess;
+      b[17] = bad;
+      EXPECT_EQ(solve(matrix.csr(), PrecondType::ILU0, b, x, params).status,
+                SolveStatus::NOT_FINITE);
     }
 }
 
@@ -473,6 +569,29 @@ TEST(BiCGStab, ReductionsPerIteration)
     EXPECT_LE(others, remove_mean ? 9 : 3);
     EXPECT_GE(solver.bytes(), 9 * 60 * sizeof(double));
   }
+}
+
+// The largest of n entries is looked for where the norm is between the bound and sqrt(n) times it:
+// in the last iterations only
+TEST(BiCGStab, LargestEntryIsLookedForAtTheEnd)
+{
+  Matrix matrix(convection_diffusion(40, 0.5));
+  SerialOperator op(matrix.csr());
+  PrecondReport unused;
+  const auto M = make_preconditioner(PrecondType::ILU0, matrix.csr(), unused);
+  const Vector b = random_vector(1600, 3);
+  KrylovParams params;
+  params.largest = 1.0e-8;
+  SerialSum ip;
+  Vector x = Vector::Zero(1600);
+  BiCGStab solver;
+  const SolveReport report = solver.solve(op, *M, ip, b.data(), x.data(), params);
+  ASSERT_TRUE(report.ok());
+  EXPECT_GT(report.inspected, 0);
+  EXPECT_LT(report.inspected, report.iterations / 2);
+  // b: 1, two residuals: a sum and a maximum each
+  EXPECT_EQ(ip.calls(),
+            2 * report.iterations + report.recomputed + report.inspected + 2 * report.restarts + 5);
 }
 
 // ILU(0) of a tridiagonal matrix is exact: one iteration takes the residual to rounding level, and

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <condition_variable>
 #include <limits>
@@ -51,6 +52,15 @@ class Team {
     barrier();
   }
 
+  void max(int rank, int n, double *values)
+  {
+    parts_[rank].assign(values, values + n);
+    barrier();
+    for (int k = 0; k < n; k++)
+      for (int r = 0; r < size_; r++) values[k] = std::max(values[k], parts_[r][k]);
+    barrier();
+  }
+
   // gathers the owned entries of all ranks
   void exchange(int first, int n, const double *x, Vector &all)
   {
@@ -75,6 +85,7 @@ class TeamSum : public InnerProduct {
  public:
   TeamSum(Team &team, int rank) : team_(team), rank_(rank) {}
   void sum(int n, double *values) const override { team_.sum(rank_, n, values); }
+  void max(int n, double *values) const override { team_.max(rank_, n, values); }
 
  private:
   Team &team_;
@@ -183,6 +194,28 @@ TEST(BiCGStabRanks, AgreeWithOneRank)
     }
 }
 
+// the largest entry lies on one rank, and ends the iterations of all
+TEST(BiCGStabRanks, LargestEntry)
+{
+  const Sparse A = convection_diffusion(20, 0.5);
+  const Vector b = random_vector(400, 21);
+  KrylovParams params;
+  params.largest = 1.0e-4;
+  for (const std::vector<int> &first :
+       {std::vector<int>{0, 400}, std::vector<int>{0, 170, 400}, std::vector<int>{0, 170, 170, 400},
+        std::vector<int>{0, 0, 400}}) {
+    const TeamResult team = solve_in_team(A, b, first, PrecondType::ILU0, params);
+    const double largest = (b - A * team.x).cwiseAbs().maxCoeff();
+    EXPECT_LE(largest, params.largest);
+    for (const SolveReport &report : team.reports) {
+      EXPECT_EQ(report.status, SolveStatus::CONVERGED);
+      EXPECT_EQ(report.iterations, team.reports[0].iterations);
+      EXPECT_EQ(report.inspected, team.reports[0].inspected);
+      EXPECT_NEAR(report.largest, largest, 1.0e-13);
+    }
+  }
+}
+
 TEST(BiCGStabRanks, ClosedSystem)
 {
   const Sparse A = closed_interval(90);
@@ -206,6 +239,11 @@ TEST(BiCGStabRanks, AllLeaveTogetherOnNaN)
   const Sparse A = convection_diffusion(10, 0.5);
   Vector b = random_vector(100, 23);
   b[99] = std::numeric_limits<double>::quiet_NaN();    // only the last rank sees it
-  const TeamResult team = solve_in_team(A, b, {0, 50, 100}, PrecondType::ILU0, KrylovParams());
-  for (const SolveReport &report : team.reports) EXPECT_EQ(report.status, SolveStatus::NOT_FINITE);
+  KrylovParams largest;
+  largest.largest = 1.0e-6;
+  for (const KrylovParams &params : {KrylovParams(), largest}) {
+    const TeamResult team = solve_in_team(A, b, {0, 50, 100}, PrecondType::ILU0, params);
+    for (const SolveReport &report : team.reports)
+      EXPECT_EQ(report.status, SolveStatus::NOT_FINITE);
+  }
 }

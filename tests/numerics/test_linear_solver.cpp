@@ -67,9 +67,14 @@ class Sequence {
 
   SolveReport solve(double rtol = 1.0e-8, int maxiter = 1000)
   {
-    x_ = Vector::Zero(n_ * n_);
     KrylovParams params = tolerance(rtol);
     params.max_iterations = maxiter;
+    return solve(params);
+  }
+
+  SolveReport solve(const KrylovParams &params)
+  {
+    x_ = Vector::Zero(n_ * n_);
     SerialOperator op(matrix_->csr());
     const auto make = [this](PrecondType type, PrecondReport &report) {
       made_.push_back(type);
@@ -154,6 +159,26 @@ TEST(LinearSolver, WithoutReuse)
     steps.solve();
   }
   EXPECT_EQ(steps.solver().counts().builds, 4);
+}
+
+// the second attempt has the aim of the first, not a share of what that left
+TEST(LinearSolver, FallbackKeepsTheTarget)
+{
+  Sequence steps(PrecondType::ILU0);
+  steps.next(0.1);
+  KrylovParams params;
+  params.largest = 1.0;
+  params.share = 1.0e-3;
+  const double target = 1.0e-3 * steps.b().cwiseAbs().maxCoeff();
+  params.max_iterations = 200;
+  const int needed = steps.solve(params).iterations;
+  ASSERT_GT(needed, 4);
+  Sequence again(PrecondType::ILU0);
+  again.next(0.1);
+  params.max_iterations = needed - 2;    // the residual has fallen then
+  const SolveReport report = again.solve(params);
+  EXPECT_EQ(again.made().back(), PrecondType::JACOBI);
+  EXPECT_DOUBLE_EQ(report.target, target);
 }
 
 TEST(LinearSolver, CheapOnesAreNotKept)
