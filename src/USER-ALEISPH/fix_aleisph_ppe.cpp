@@ -33,6 +33,12 @@ namespace {
 // the product A p that of the pressure. A relative tolerance must not chase a residual below
 // this; the factor covers the few dozen terms of a row.
 constexpr double ROUNDING = 64.0 * std::numeric_limits<double>::epsilon();
+// Largest relative change of volume of a particle that a solve leaves. Besides, it leaves no more
+// than this share of what the pressure of the last step would leave, so that the pressure is that
+// of a time this share of a step ago, however slow the flow; the first pressure is its own
+// measure. Both by measurement: see the documentation.
+constexpr double DIVERGENCE = 1.0e-5;
+constexpr double STEP_SHARE = 3.0e-3, FIRST_SHARE = 1.0e-8;
 // Wall rows at the edge of the fluid that are not trusted: lambda below this share of that of an
 // intact corner (0.2 for the default kernel in 2d), or fewer fluid neighbours than this; an intact
 // corner has three in 2d and one in 3d.
@@ -53,11 +59,12 @@ FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
     max_iterations_(0)
 {
   params_.reuse = true;
+  params_.divergence = DIVERGENCE;
   params_.error_on_failure = true;
   parse(narg, arg);
 
   scalar_flag = vector_flag = 1;
-  size_vector = 11;
+  size_vector = 12;
   restart_file = 1;    // to be told when one is written
   global_freq = 1;
   extscalar = extvector = 0;
@@ -67,11 +74,19 @@ FixAleisphPPE::~FixAleisphPPE() = default;
 
 void FixAleisphPPE::parse(int narg, char **arg)
 {
+  std::string tol = "auto", divergence;
   for (int iarg = 3; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/ppe " + key, error);
     const std::string value = arg[iarg + 1];
-    if (key == "tol") {
+    if (key == "divergence") {
+      divergence = value;
+      params_.divergence = utils::numeric(FLERR, value, false, lmp);
+      if (!(params_.divergence > 0.0) || !(params_.divergence < 1.0))
+        error->all(FLERR, "Fix aleisph/ppe: divergence must lie between 0 and 1, not {}", value);
+    } else if (key == "tol") {
+      tol = value;
+      if (tol == "auto") continue;
       params_.krylov.rtol = utils::numeric(FLERR, value, false, lmp);
       if (!(params_.krylov.rtol > 0.0) || !(params_.krylov.rtol < 1.0))
         error->all(FLERR, "Fix aleisph/ppe: tol must lie between 0 and 1, not {}", value);
@@ -90,6 +105,11 @@ void FixAleisphPPE::parse(int narg, char **arg)
     } else
       error->all(FLERR, "Fix aleisph/ppe: unknown keyword {}", key);
   }
+  if (tol == "auto") return;
+  if (!divergence.empty())
+    error->all(FLERR, "Fix aleisph/ppe: tol {} and divergence {} exclude each other, give one", tol,
+               divergence);
+  params_.divergence = 0.0;
 }
 
 int FixAleisphPPE::setmask()
@@ -168,7 +188,7 @@ void FixAleisphPPE::solve()
   if (owner_->cloud().version() != version_) assemble();
   right_hand_side();
 
-  params_.krylov.atol = rounding_level();
+  set_target();
   params_.krylov.remove_mean = closed_;
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SOLVE);
@@ -185,8 +205,28 @@ void FixAleisphPPE::solve()
   owner_->ranks().forward(pressure);
 }
 
+// What ends the solve: tol and the norm of the residual, or divergence and its largest entry
+void FixAleisphPPE::set_target()
+{
+  auto &krylov = params_.krylov;
+  krylov.atol = rounding_level();
+  if (params_.divergence == 0.0) return;
+  krylov.largest = params_.divergence / volume_change(1.0);
+  krylov.share = owner_->fields().pressure_known() ? STEP_SHARE / smooth_rows() : FIRST_SHARE;
+}
+
+// Multigrid reduces all parts of the residual alike. The others leave the smooth ones, of which
+// this many rows from one end of the domain to the other add up in the velocity.
+double FixAleisphPPE::smooth_rows() const
+{
+  if (solver_->solver().type() == PrecondType::AMG) return 1.0;
+  return std::pow(atom->natoms, 1.0 / domain->dimension);
+}
+
+// in the norm of the criterion
 double FixAleisphPPE::rounding_level() const
 {
+  if (params_.divergence > 0.0) return largest_rounding();
   const double *vstar = owner_->fields().predicted().owned();
   const double *p = owner_->fields().pressure().owned();
   double squares[2] = {0.0, 0.0};
@@ -198,6 +238,23 @@ double FixAleisphPPE::rounding_level() const
   return ROUNDING *
       (owner_->fluid().rho0 * owner_->cloud().spacing() / update->dt * std::sqrt(squares[0]) +
        std::sqrt(squares[1]));
+}
+
+double FixAleisphPPE::largest_rounding() const
+{
+  const double *vstar = owner_->fields().predicted().owned();
+  const double *p = owner_->fields().pressure().owned();
+  double largest[2] = {0.0, 0.0};    // |v*|^2, |p|
+  for (int i = 0; i < atom->nlocal; i++) {
+    double square = 0.0;
+    for (int a = 0; a < 3; a++) square += vstar[3 * i + a] * vstar[3 * i + a];
+    largest[0] = std::max(largest[0], square);
+    largest[1] = std::max(largest[1], std::fabs(p[i]));
+  }
+  owner_->ranks().max(2, largest);
+  return ROUNDING *
+      (owner_->fluid().rho0 * owner_->cloud().spacing() / update->dt * std::sqrt(largest[0]) +
+       largest[1]);
 }
 
 void FixAleisphPPE::assemble()
@@ -271,14 +328,21 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
   failures_++;
   const std::string text = fmt::format(
       "Fix aleisph/ppe: pressure not converged at step {} ({}): {} iterations, residual {:.4g} of "
-      "{:.4g}, tolerance {:.4g}",
+      "{:.4g}, {}",
       update->ntimestep, to_string(report.status), report.iterations, report.residual,
-      report.rhs_norm, params_.krylov.rtol);
+      report.rhs_norm, criterion());
   const std::string cause = owner_->warnings().likely_cause();
   if (params_.error_on_failure || report.status == SolveStatus::NOT_FINITE)
-    error->all(FLERR, "{}{}; {}reduce the time step, or raise tol or maxiter", text, cause,
-               cause.empty() ? "" : "if that is not it, ");
+    error->all(FLERR, "{}{}; {}reduce the time step, or raise the tolerance or maxiter", text,
+               cause, cause.empty() ? "" : "if that is not it, ");
   if (comm->me == 0) error->warning(FLERR, text + cause);
+}
+
+std::string FixAleisphPPE::criterion() const
+{
+  if (params_.divergence == 0.0) return fmt::format("tolerance {:.4g}", params_.krylov.rtol);
+  return fmt::format("change of volume {:.4g} for {:.4g}", volume_change(report_.largest),
+                     volume_change(report_.target));
 }
 
 void FixAleisphPPE::correct_velocity()
@@ -310,11 +374,11 @@ void FixAleisphPPE::release_ballistic()
 
 /* ---------------------------------------------------------------------- */
 
-// a residual r of the scaled rows is an error of |div v| dt of r dt^2/(rho0 d^2)
-double FixAleisphPPE::residual_bound() const
+// of a residual r of the scaled rows: the |div v| dt, or |v.n| dt/d at a wall, that it leaves
+double FixAleisphPPE::volume_change(double residual) const
 {
   const double d = owner_->cloud().spacing();
-  return report_.residual * update->dt * update->dt / (owner_->fluid().rho0 * d * d);
+  return residual * update->dt * update->dt / (owner_->fluid().rho0 * d * d);
 }
 
 double FixAleisphPPE::max_divergence()
@@ -348,12 +412,13 @@ double FixAleisphPPE::compute_vector(int n)
     case 2: return max_divergence();
     case 3: return report_.restarts;
     case 4: return report_.rhs_mean;
-    case 5: return residual_bound();
+    case 5: return volume_change(report_.largest);
     case 6: return closed_;
     case 7: return failures_;
     case 8: return solver_->solver().counts().iterations;
     case 9: return solver_->solver().counts().builds;
-    default: return solver_->solver().counts().fallbacks;
+    case 10: return solver_->solver().counts().fallbacks;
+    default: return volume_change(report_.target);
   }
 }
 

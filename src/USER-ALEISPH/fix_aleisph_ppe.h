@@ -23,6 +23,7 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 #include "fix.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -43,6 +44,7 @@ class FixAleisphPPE : public Fix {
  private:
   struct Params {
     aleisph::KrylovParams krylov;
+    double divergence;    // bound on |div v| dt, 0: none, but krylov.rtol
     bool reuse, error_on_failure;
   };
 
@@ -53,11 +55,15 @@ class FixAleisphPPE : public Fix {
   void choose_max_iterations();
   void right_hand_side();
   void solve();
+  void set_target();
   double rounding_level() const;
+  double largest_rounding() const;
+  double smooth_rows() const;
   void act_on(const aleisph::SolveReport &report);
+  std::string criterion() const;
   void correct_velocity();
   void release_ballistic();
-  double residual_bound() const;
+  double volume_change(double residual) const;
   double max_divergence();
 
   Params params_;
