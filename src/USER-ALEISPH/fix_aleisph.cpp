@@ -184,16 +184,31 @@ void FixAleisph::init()
   fields_->forget_writers();
   release_cutoff();
   reach_ = 0.0;
-  require_reach(cloud_->kernel().support());
   request_list(this, cloud_->kernel().support());
   begin_report();
 }
 
-// rerun calls init() for every frame, and looks at the requests only once
-void FixAleisph::request_list(Fix *fix, double cutoff) const
+// Each frame of a rerun is another instant, without the pressure of the one before. rerun calls
+// init() for every frame, and LAMMPS looks at the requests only once: those that are left would be
+// of fixes that may be gone when it looks again.
+void FixAleisph::begin_frame()
 {
-  if (!neighbor->find_request(fix))
-    neighbor->add_request(fix, NeighConst::REQ_FULL)->set_cutoff(cutoff);
+  fields_->set_pressure_known(false);
+  NeighRequest **first = neighbor->requests;
+  for (const auto &fix : modify->get_fix_by_style("^aleisph"))
+    if (const NeighRequest *request = neighbor->find_request(fix)) {
+      NeighRequest **last = first + neighbor->nrequest;
+      NeighRequest **place = std::find(first, last, request);
+      delete *place;
+      std::copy(place + 1, last, place);
+      neighbor->nrequest--;
+    }
+}
+
+void FixAleisph::request_list(Fix *fix, double reach)
+{
+  require_reach(reach);
+  neighbor->add_request(fix, NeighConst::REQ_FULL)->set_cutoff(reach);
 }
 
 void FixAleisph::init_list(int, NeighList *list)
@@ -227,8 +242,7 @@ void FixAleisph::require_reach(double reach)
 void FixAleisph::setup_pre_force(int)
 {
   checks_->setup();
-  // each frame of a rerun is another instant, without the pressure of the one before
-  if (strcmp(input->command, "rerun") == 0) fields_->set_pressure_known(false);
+  if (strcmp(input->command, "rerun") == 0) begin_frame();
   fields_->settle();
   fields_->require_finite();
   build_halo();

@@ -84,10 +84,8 @@ class FixAleisph : public Fix {
   // what the styles of this run contribute: they sign up in their init(), which comes after the
   // owner's
   aleisph::Scene &scene() { return *scene_; }
-  // neighbours up to this distance are asked for: ghosts must reach as far
-  void require_reach(double reach);
-  // a full neighbor list of this cutoff, for the run that begins
-  void request_list(Fix *fix, double cutoff) const;
+  // a full neighbor list of this cutoff, for the run that begins: ghosts must reach as far
+  void request_list(Fix *fix, double reach);
 
   // -- parameters
   const aleisph::FluidProperties &fluid() const { return *fluid_; }
@@ -118,6 +116,8 @@ class FixAleisph : public Fix {
   void assign_roles();
   bool positions_changed();
   aleisph::CandidateList candidates() const;
+  void begin_frame();
+  void require_reach(double reach);
   void rebuild();
   void check_distances();
   void build_halo();

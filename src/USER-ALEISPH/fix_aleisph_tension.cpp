@@ -148,7 +148,6 @@ void FixAleisphTension::make_model()
                                                        owner_->cloud().spacing());
   const double reach = model_->reach();
   if (reach == 0.0) return;
-  owner_->require_reach(reach);
   owner_->request_list(this, reach);
 }
 
