@@ -37,6 +37,13 @@ struct PpeOptions {
   int min_wall_fluid = 0;          // and those with fewer fluid neighbours
 };
 
+// The largest pressure that makes sense at a time step: the gradient of one that is rounded to 16
+// digits moves fluid by eps p dt^2/(rho0 d^2) spacings in a step, 2e-4 at this limit.
+inline double largest_pressure(double rho0, double d, double dt)
+{
+  return 1.0e12 * rho0 * (d / dt) * (d / dt);
+}
+
 constexpr double MIN_WALL_DIAGONAL = 0.1;
 
 // laplacian: pair array of a_ij of the fluid rows; its memory becomes that of the matrix.

@@ -20,6 +20,7 @@
 #include "neigh_request.h"
 #include "neighbor.h"
 #include "output.h"
+#include "platform.h"
 #include "update.h"
 #include "utils.h"
 
@@ -32,6 +33,11 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using aleisph::Part;
 using aleisph::Role;
+
+namespace {
+// of the longest edge of the box: beyond, neighbor bins and IDs have no numbers
+constexpr double SMALLEST_SPACING = 1.0e-9;
+}    // namespace
 
 /* ---------------------------------------------------------------------- */
 
@@ -95,8 +101,24 @@ void FixAleisph::parse(int narg, char **arg)
   }
   if (spacing == 0.0) error->all(FLERR, "Fix aleisph: keyword spacing is required");
   if (fluid_->rho0 == 0.0) error->all(FLERR, "Fix aleisph: keyword rho0 or fluid is required");
+  check_scales(spacing);
   cloud_ = std::make_unique<aleisph::Cloud>(
       aleisph::Kernel(kernel, domain->dimension, h_over_d * spacing), spacing, *timers_);
+}
+
+// Values that no scene can have, before anything is computed with them
+void FixAleisph::check_scales(double spacing) const
+{
+  double edge = 0.0;
+  for (int a = 0; a < domain->dimension; a++) edge = std::max(edge, domain->prd[a]);
+  if (spacing > edge || spacing < SMALLEST_SPACING * edge)
+    error->all(FLERR,
+               "Fix aleisph: spacing {} does not fit a box whose longest edge is {}: it must lie "
+               "between {} and 1 of it; look at the units",
+               spacing, edge, SMALLEST_SPACING);
+  if (!std::isnormal(fluid_->rho0 * std::pow(spacing, domain->dimension)))
+    error->all(FLERR, "Fix aleisph: rho0 {} with spacing {} gives a mass that is no number",
+               fluid_->rho0, spacing);
 }
 
 void FixAleisph::read_fluid_file(const char *filename)
@@ -105,7 +127,9 @@ void FixAleisph::read_fluid_file(const char *filename)
   if (comm->me == 0) {
     const std::string path = utils::get_potential_file_path(filename);
     std::ifstream in(path);
-    if (path.empty() || !in) {
+    if (!path.empty() && platform::path_is_directory(path)) {
+      message = "is a directory";
+    } else if (path.empty() || !in) {
       message = "cannot be opened (looked here and in LAMMPS_POTENTIALS)";
     } else {
       units = utils::get_potential_units(path, "fluid property");

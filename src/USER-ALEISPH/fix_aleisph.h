@@ -108,6 +108,7 @@ class FixAleisph : public Fix {
 
  private:
   void parse(int narg, char **arg);
+  void check_scales(double spacing) const;
   void read_fluid_file(const char *filename);
   void release_cutoff();
   void set_masses();

@@ -117,6 +117,12 @@ void FixAleisphDt::parse(int narg, char **arg)
   }
   if (params.min > params.max)
     error->all(FLERR, "Fix aleisph/dt: min {} is greater than max {}", params.min, params.max);
+  if (params.align > 0.0 && params.align < params.min)
+    error->all(
+        FLERR,
+        "Fix aleisph/dt: align {} is below min {}: no step could end on its multiples; use a "
+        "larger align or a smaller min",
+        params.align, params.min);
 }
 
 int FixAleisphDt::setmask()

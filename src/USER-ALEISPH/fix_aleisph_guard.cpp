@@ -8,6 +8,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_record.h"
+#include "aleisph_ppe.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -110,6 +111,13 @@ void FixAleisphGuard::init()
 // What the first shift leads to is held off walls, too. A run that goes on has this done already.
 void FixAleisphGuard::setup(int)
 {
+  const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),
+                                                update->dt);
+  if (limit_pressure_ && !(std::fabs(least_pressure_) <= most))
+    error->all(FLERR,
+               "Fix aleisph/guard: pressure {} is above {:.4g}, where its rounding alone moves "
+               "fluid; look at the units",
+               least_pressure_, most);
   if (walls_ > 0.0 && (!started_ || !owner_->fields().kept(SHIFT))) hold_off_walls();
   started_ = true;
 }

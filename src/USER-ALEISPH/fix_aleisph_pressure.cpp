@@ -8,6 +8,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_nearest.h"
+#include "aleisph_ppe.h"
 #include "aleisph_vectors.h"
 #include "atom.h"
 #include "domain.h"
@@ -111,15 +112,23 @@ void FixAleisphPressure::set_pressure()
     value_.evaluate(igroup, p);
   }
   double *pressure = owner_->fields().pressure().edit();
-  tagint bad = 0;
+  const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),
+                                                update->dt);
+  tagint bad = 0, large = 0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (!std::isfinite(p[i])) bad = atom->tag[i];
+    if (std::fabs(p[i]) > most) large = atom->tag[i];
     pressure[i] = p[i];
   }
   if ((bad = owner_->ranks().largest(bad)))
     error->all(FLERR, "Fix aleisph/pressure: pressure of atom {} is not finite at step {}", bad,
                update->ntimestep);
+  if ((large = owner_->ranks().largest(large)))
+    error->all(FLERR,
+               "Fix aleisph/pressure: pressure of atom {} is above {:.4g} at step {}, where its "
+               "rounding alone moves fluid; look at the units",
+               large, most, update->ntimestep);
 }
 
 /* ---------------------------------------------------------------------- */

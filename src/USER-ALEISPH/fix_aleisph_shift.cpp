@@ -33,6 +33,8 @@ constexpr char SHIFT[] = "aleisph_u";
 constexpr double RATE_SURFACE = 0.3, RATE_PUBLISHED = 0.1;
 constexpr double SMOOTHING = 1.5, MAX_SMOOTHING = 0.5;    // a share per step above 1/2 overshoots
 constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
+// Beyond, a value is a slip of the pen: all act in full long before, or reach past the support.
+constexpr double MAX_RATE = 1.0e4, MAX_DISTANCE = 10.0;    // per U dt/d; in spacings
 // off walls, in spacings per U dt/d, and per step
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
@@ -89,15 +91,21 @@ void FixAleisphShift::parse(int narg, char **arg)
         error->all(FLERR, "Fix aleisph/shift: {} must not be negative, it is {}", key, value);
       return x;
     };
+    const auto at_most = [&](double most) {
+      const double x = positive();
+      if (x > most)
+        error->all(FLERR, "Fix aleisph/shift: {} must be at most {}, it is {}", key, most, value);
+      return x;
+    };
     if (key == "variant") {
       if (value != "accurate" && value != "published")
         error->all(FLERR, "Fix aleisph/shift: variant must be accurate or published, not {}",
                    value);
       params_.published = value == "published";
     } else if (key == "rate") {
-      rate_ = positive();
+      rate_ = at_most(MAX_RATE);
     } else if (key == "step") {
-      step_ = positive();
+      step_ = at_most(MAX_RATE);
     } else if (key == "velocity") {
       velocity_.reset();
       scale_.clear();
@@ -113,13 +121,13 @@ void FixAleisphShift::parse(int narg, char **arg)
         error->all(FLERR, "Fix aleisph/shift: surface must be full or positive, not {}", value);
       params_.positive_surface = value == "positive";
     } else if (key == "smoothing") {
-      smoothing_ = positive();
+      smoothing_ = at_most(MAX_RATE);
     } else if (key == "filter") {
-      filter_ = positive();
+      filter_ = at_most(MAX_RATE);
     } else if (key == "walls") {
-      params_.wall_distance = positive();
+      params_.wall_distance = at_most(MAX_DISTANCE);
     } else if (key == "limit") {
-      params_.limit = positive();
+      params_.limit = at_most(MAX_DISTANCE);
     } else
       error->all(FLERR, "Fix aleisph/shift: unknown keyword {}", key);
   }

@@ -7,11 +7,14 @@
 #include "fix_aleisph_surface.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_ppe.h"
 #include "error.h"
 #include "modify.h"
+#include "update.h"
 #include "utils.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -94,6 +97,13 @@ void FixAleisphSurface::init()
 
 void FixAleisphSurface::setup_pre_force(int vflag)
 {
+  const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),
+                                                update->dt);
+  if (!(std::fabs(surface_.pressure) <= most))
+    error->all(FLERR,
+               "Fix aleisph/surface: pressure {} is above {:.4g}, where its rounding alone moves "
+               "fluid; look at the units",
+               surface_.pressure, most);
   pre_force(vflag);
 }
 

@@ -90,7 +90,8 @@ TEST(Defaults, SkinOfTheScript)
 TEST(Defaults, SkinOfLammps)
 {
   Simulation sim;
-  sim.run(particles("lj") + "fix sph all aleisph spacing 1.0 rho0 1.0");
+  sim.run("units lj\nregion box block 0 4 0 4 0 4\ncreate_box 1 box\n"
+          "fix sph all aleisph spacing 1.0 rho0 1.0");
   EXPECT_EQ(sim.lammps().neighbor->skin, 0.3);
 }
 

@@ -848,6 +848,6 @@ TEST(ShiftErrors, NotFinite)
 TEST(ShiftErrors, ShiftNotFinite)
 {
   Simulation sim(disorder());
-  expect_words(sim.error_of(still_script("ops velocity 1e200 rate 1e200").text() + "run 1"),
+  expect_words(sim.error_of(still_script("ops velocity 1e308 rate 1e4").text() + "run 1"),
                {"ix aleisph/shift", "shift of atom", "is not finite at step 0"});
 }
