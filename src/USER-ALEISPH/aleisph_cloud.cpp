@@ -35,20 +35,20 @@ void Cloud::update(const double *const *x, const CandidateList &list, bool dry)
 
 void Cloud::sort_rows()
 {
-  fluid_.clear();
-  wall_.clear();
-  buffer_.clear();
+  // the first of these roles that a particle has says where it belongs
+  const auto belongs = [this](int i) {
+    for (const Role role : {DRY, WALL, BUFFER, FLUID})
+      if (role_[i] & role) return role;
+    return Role(0);
+  };
+  const auto rows_of = [&](Role role) {
+    return select_rows(nowned_, [&](int i) { return belongs(i) == role; });
+  };
+  fluid_ = rows_of(FLUID);
+  wall_ = rows_of(WALL);
+  buffer_ = rows_of(BUFFER);
   all_.resize(nowned_);
-  for (int i = 0; i < nowned_; i++) {
-    all_[i] = i;
-    if (role_[i] & DRY) continue;
-    if (role_[i] & WALL)
-      wall_.push_back(i);
-    else if (role_[i] & BUFFER)
-      buffer_.push_back(i);
-    else if (role_[i] & FLUID)
-      fluid_.push_back(i);
-  }
+  for_rows(nowned_, [this](int i) { all_[i] = i; });
 }
 
 const GradientWeights &Cloud::gradient() const

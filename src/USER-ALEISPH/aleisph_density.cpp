@@ -63,7 +63,7 @@ void density_deviation(const Cloud &cloud, bool published, double *eps, const do
   Images images(cloud, true);
   const SurfaceShape shape(kernel, d);
   const SeenRoles neighbours = cloud.neighbours();
-  for (const int i : cloud.fluid()) {
+  for_rows(cloud.fluid(), [&](int i) {
     double sum = kernel.w(0.0) + sum_near(s, kernel, i, reach), expected = 1.0;
     const bool wall = !published && neighbours.any(i, WALL);
     if (wall || (!published && neighbours.any(i, SURFACE)))
@@ -73,7 +73,7 @@ void density_deviation(const Cloud &cloud, bool published, double *eps, const do
     if (!published && curvature && (role[i] & SURFACE)) expected -= scale.curved * curvature[i] * d;
     eps[i] = scale.beta * cloud.volume() * sum - expected;
     if (wall && std::fabs(eps[i]) < IMAGE_ERROR) eps[i] = 0.0;
-  }
+  });
 }
 
 }    // namespace aleisph

@@ -150,13 +150,19 @@ std::vector<double> row_floors(int nrows, const Rows &floored, double floor)
   std::vector<double> floors;
   if (floor <= 0.0 || floored.empty()) return floors;
   floors.assign(nrows, 0.0);
-  for (const int i : floored) floors[i] = floor;
+  for_rows(floored, [&](int i) { floors[i] = floor; });
   return floors;
 }
 
 enum class Inverse { PLAIN, CLAMPED, SINGULAR };
 struct InverseCount {
   int singular = 0, clamped = 0;
+  InverseCount &operator+=(const InverseCount &other)
+  {
+    singular += other.singular;
+    clamped += other.clamped;
+    return *this;
+  }
 };
 
 template <int D>
@@ -179,26 +185,23 @@ template <int D>
 InverseCount build_rows(const Stencil &s, double volume, const std::vector<double> &floors,
                         double *inverse, double *lambda)
 {
-  InverseCount count;
-  for (int first = 0; first < s.rows(); first += LANES) {
-    const int rows = std::min(LANES, s.rows() - first);
-    int list[LANES];
-    for (int l = 0; l < rows; l++) list[l] = first + l;
+  return sum_blocks<LANES>(s.rows(), [&](const int *rows, int n) {
+    InverseCount count;
     Symmetric<D> M, L;
     Pack smallest;
-    moments<D>(s, RowBlock(s, list, rows), volume, M);
+    moments<D>(s, RowBlock(s, rows, n), volume, M);
     smallest_eigenvalue(M, smallest);
     invert(M, L);
-    for (int l = 0; l < rows; l++) {
-      const int i = first + l;
+    for (int l = 0; l < n; l++) {
+      const int i = rows[l];
       lambda[i] = smallest[l];
       const Inverse kind = store<D>(M, L, l, lambda[i], floors.empty() ? 0.0 : floors[i],
                                     inverse + GradientWeights::PACKED * i);
       count.clamped += kind == Inverse::CLAMPED;
       count.singular += kind == Inverse::SINGULAR;
     }
-  }
-  return count;
+    return count;
+  });
 }
 
 }    // namespace

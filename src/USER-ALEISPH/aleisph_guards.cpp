@@ -152,18 +152,17 @@ Held hold(const WallNeighbours &walls, const Vec3 &v_i, double d)
 void count_approaching(const Cloud &cloud, const double *v, double reach, double *n)
 {
   const Stencil &s = cloud.stencil();
-  for (const int i : cloud.fluid()) {
+  for_rows(cloud.fluid(), [&](int i) {
     n[i] = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++)
       if (approach(cloud, i, k, v, reach) < 0.0) n[i] += 1.0;
-  }
+  });
 }
 
 int collide(const Cloud &cloud, const double *v, const double *n, double reach, double *dv)
 {
   const Stencil &s = cloud.stencil();
-  int changed = 0;
-  for (const int i : cloud.fluid()) {
+  return count_rows(cloud.fluid(), [&](int i) {
     Vec3 sum = Vec3::Zero();
     bool collides = false;
     for (int k = s.begin(i); k < s.end(i); k++) {
@@ -175,36 +174,31 @@ int collide(const Cloud &cloud, const double *v, const double *n, double reach, 
       collides = true;
     }
     store(sum, dv, i);
-    changed += collides;
-  }
-  return changed;
+    return collides;
+  });
 }
 
 int hold_off_walls(const Cloud &cloud, const WallGuard &guard, double *dv, double *dw)
 {
   const double d = cloud.spacing();
-  int count = 0;
-  for (const int i : cloud.fluid()) {
+  return count_rows(cloud.fluid(), [&](int i) {
     const WallNeighbours walls = holding(wall_neighbours(cloud, guard, i), guard.distance, d);
     const Held held = walls.empty() ? Held() : hold(walls, at(guard.v, i), d);
     store(held.dv, dv, i);
     store(held.dx / guard.dt, dw, i);
-    count += !walls.empty();
-  }
-  return count;
+    return !walls.empty();
+  });
 }
 
 int cap_velocity(const Rows &fluid, int dim, double speed, double *v)
 {
-  int capped = 0;
-  for (const int i : fluid) {
+  return count_rows(fluid, [&](int i) {
     double v2 = 0.0;
     for (int a = 0; a < dim; a++) v2 += v[3 * i + a] * v[3 * i + a];
-    if (!(v2 > speed * speed)) continue;
+    if (!(v2 > speed * speed)) return false;
     for (int a = 0; a < dim; a++) v[3 * i + a] *= speed / std::sqrt(v2);
-    capped++;
-  }
-  return capped;
+    return true;
+  });
 }
 
 }    // namespace aleisph

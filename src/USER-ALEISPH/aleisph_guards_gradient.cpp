@@ -84,34 +84,30 @@ int correct_self_term(const Cloud &cloud, const SelfTermParams &params, const do
   const double d = cloud.spacing();
   const LaplacianWeights *const l = params.bounded ? &cloud.laplacian_rows() : nullptr;
   constexpr double inf = std::numeric_limits<double>::infinity();
-  int changed = 0;
-  for (const int i : cloud.fluid()) {
-    if ((role[i] & SURFACE) || !near_surface(s, role, i, params.near_surface * d)) continue;
+  return count_rows(cloud.fluid(), [&](int i) {
+    if ((role[i] & SURFACE) || !near_surface(s, role, i, params.near_surface * d)) return false;
     const Vec3 S = without_outward_parts(cloud, i, params.wall_reach * d,
                                          sum_of_weights(s, cloud.gradient(), i));
     const double P = divergence_of_gradient(cloud, inverse, i);
     const double A = l ? l->diagonal(i) : -inf;
     const double sigma = self_weight(S.squaredNorm(), P, A, params);
     for (int a = 0; a < 3; a++) grad[3 * i + a] += (1.0 - sigma) * p[i] * S[a];
-    changed += sigma < 1.0;
-  }
-  return changed;
+    return sigma < 1.0;
+  });
 }
 
 int symmetric_gradient(const Cloud &cloud, const Rows &rows, double max_lambda, const double *p,
                        double *grad)
 {
   const Stencil &s = cloud.stencil();
-  int changed = 0;
-  for (const int i : rows) {
-    if (!(cloud.gradient().lambda(i) < max_lambda)) continue;
+  return count_rows(rows, [&](int i) {
+    if (!(cloud.gradient().lambda(i) < max_lambda)) return false;
     Vec3 sum = Vec3::Zero();
     for (int k = s.begin(i); k < s.end(i); k++)
       sum += cloud.volume() * s.dw()[k] * (p[i] + p[s.col()[k]]) * direction(s, k);
     for (int a = 0; a < 3; a++) grad[3 * i + a] = sum[a];
-    changed++;
-  }
-  return changed;
+    return true;
+  });
 }
 
 }    // namespace aleisph

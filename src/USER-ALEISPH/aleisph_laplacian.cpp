@@ -54,35 +54,34 @@ template <int D> class RowBuilder {
   {
   }
 
-  MorrisCount build(const Rows &rows)
+  MorrisCount build(const Rows &rows) const
   {
-    for (std::size_t first = 0; first < rows.size(); first += BATCH)
-      build_batch(rows.data() + first,
-                  static_cast<int>(std::min<std::size_t>(BATCH, rows.size() - first)));
-    return count_;
+    return sum_blocks<BATCH>(rows, [this](const int *some, int n) { return build_batch(some, n); });
   }
 
  private:
   bool trusted(int i) const { return g_.lambda(i) >= t_.min_lambda; }
   bool surface(int i) const { return role_ && (role_[i] & SURFACE); }
 
-  void build_batch(const int *rows, int n)
+  MorrisCount build_batch(const int *rows, int n) const
   {
+    MorrisCount count;
     int solved[BATCH] = {}, m = 0;
     for (int k = 0; k < n; k++) {
       if (surface(rows[k]))
-        morris_row(rows[k], RowKind::SURFACE);
+        count += morris_row(rows[k], RowKind::SURFACE);
       else if (!trusted(rows[k]))
-        morris_row(rows[k], RowKind::LAMBDA);
+        count += morris_row(rows[k], RowKind::LAMBDA);
       else
         solved[m++] = rows[k];
     }
     LaplacianRow<D> systems[BATCH];
     solve_laplacian_systems<D>(s_, g_, solved, m, t_.max_cond, systems);
-    for (int k = 0; k < m; k++) corrected_row(solved[k], systems[k]);
+    for (int k = 0; k < m; k++) count += corrected_row(solved[k], systems[k]);
+    return count;
   }
 
-  void corrected_row(int i, const LaplacianRow<D> &row)
+  MorrisCount corrected_row(int i, const LaplacianRow<D> &row) const
   {
     out_.condition[i] = row.condition;
     if (!(row.condition <= t_.max_cond) || !std::isfinite(row.condition))
@@ -100,21 +99,20 @@ template <int D> class RowBuilder {
     }
     out_.diagonal[i] = row_sum(i);
     if (!(out_.diagonal[i] >= t_.min_diagonal && out_.diagonal[i] <= t_.max_diagonal))
-      morris_row(i, RowKind::DIAGONAL);
+      return morris_row(i, RowKind::DIAGONAL);
+    return {};
   }
 
-  void morris_row(int i, RowKind reason)
+  MorrisCount morris_row(int i, RowKind reason) const
   {
-    count_.lambda += reason == RowKind::LAMBDA;
-    count_.condition += reason == RowKind::CONDITION;
-    count_.diagonal += reason == RowKind::DIAGONAL;
-    count_.surface += reason == RowKind::SURFACE;
     for (int k = s_.begin(i); k < s_.end(i); k++) {
       const double r = s_.r()[k];
       out_.a[k] = 2.0 * g_.volume() * s_.dw()[k] * r / (r * r + t_.eta_h2);
     }
     out_.morris[i] = 1;
     out_.diagonal[i] = row_sum(i);
+    return {reason == RowKind::LAMBDA, reason == RowKind::CONDITION, reason == RowKind::DIAGONAL,
+            reason == RowKind::SURFACE};
   }
 
   double row_sum(int i) const
@@ -129,7 +127,6 @@ template <int D> class RowBuilder {
   const LaplacianBounds &t_;
   const Role *role_;
   const Target &out_;
-  MorrisCount count_;
 };
 
 }    // namespace
@@ -174,7 +171,7 @@ void laplacian(const Cloud &cloud, const Rows &rows, const double *v, double *ou
   const Role *const role = cloud.role();
   const double *const a = cloud.laplacian().a();
   const int *const col = s.col();
-  for (const int i : rows) {
+  for_rows(rows, [&](int i) {
     double sum[3] = {};
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = col[k];
@@ -182,7 +179,7 @@ void laplacian(const Cloud &cloud, const Rows &rows, const double *v, double *ou
       for (int c = 0; c < 3; c++) sum[c] += weight * (v[3 * i + c] - v[3 * j + c]);
     }
     for (int c = 0; c < 3; c++) out[3 * i + c] = sum[c];
-  }
+  });
 }
 
 }    // namespace aleisph

@@ -195,21 +195,26 @@ NormalCount wall_normals(const Stencil &walls, const Rows &rows, const double *p
 {
   double *const normal = cloud.normal();
   const Wall wall{walls, cloud.role(), cloud.spacing(), normal, cloud.shape()};
-  std::vector<Found> found;
-  for (const int i : rows)
-    found.push_back(find(wall, i, previous ? at(previous, i) : Vec3::Zero()));
-
-  NormalCount count;
-  for (size_t m = 0; m < rows.size(); m++) {
+  // m: place in rows
+  const int n = static_cast<int>(rows.size());
+  std::vector<Found> found(n);
+  for_rows(n, [&](int m) {
+    found[m] = find(wall, rows[m], previous ? at(previous, rows[m]) : Vec3::Zero());
+  });
+  for_rows(n, [&](int m) {
     const int i = rows[m];
     for (int a = 0; a < 3; a++) normal[3 * i + a] = found[m].n[a];
     cloud.shape()[i] = found[m].shape;
     status[i] = found[m].status;
-    count.found += found[m].status != NormalStatus::UNKNOWN;
-    count.fallback += found[m].status == NormalStatus::FLUID;
-  }
-  for (size_t m = 0; m < rows.size(); m++)
-    if (contradicts(wall, found[m])) count.contradictory.push_back(rows[m]);
+  });
+  const auto has = [&status](NormalStatus which) {
+    return [&status, which](int i) { return status[i] == which; };
+  };
+  NormalCount count;
+  count.found = n - count_rows(rows, has(NormalStatus::UNKNOWN));
+  count.fallback = count_rows(rows, has(NormalStatus::FLUID));
+  count.contradictory = select_rows(n, [&](int m) { return contradicts(wall, found[m]); });
+  for (int &row : count.contradictory) row = rows[row];
   return count;
 }
 
@@ -226,13 +231,13 @@ bool normals_in_sight(const Stencil &walls, const Rows &unknown, const Cloud &cl
 
 void wall_shapes(const Stencil &walls, const Rows &rows, Cloud &cloud)
 {
-  for (const int i : rows) {
+  for_rows(rows, [&](int i) {
     const WallFan fan(walls, cloud.role(), i, cloud.spacing(), FanParams());
     const int side = fan.side_of(at(cloud.normal(), i));
     Found found;
     cloud.shape()[i] = side != WallFan::NONE && take_mean(fan.mean(side), found) ? found.shape
                                                                                  : 1.0;
-  }
+  });
 }
 
 }    // namespace aleisph

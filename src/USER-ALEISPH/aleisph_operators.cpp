@@ -140,7 +140,7 @@ void gradient(const Cloud &cloud, const Rows &rows, const double *f, double *gra
   const GradientWeights &g = cloud.gradient();
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
-    for (const int i : rows) store<D>(correction<D>(g, i) * sums.scalar(i, f), grad, i);
+    for_rows(rows, [&](int i) { store<D>(correction<D>(g, i) * sums.scalar(i, f), grad, i); });
   });
 }
 
@@ -149,8 +149,9 @@ void divergence(const Cloud &cloud, const Rows &rows, const double *v, double *d
   const GradientWeights &g = cloud.gradient();
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
-    for (const int i : rows)
+    for_rows(rows, [&](int i) {
       div[i] = sums.template vector<D>(i, v).cwiseProduct(correction<D>(g, i)).sum();
+    });
   });
 }
 
@@ -159,10 +160,10 @@ void convection(const Cloud &cloud, const Rows &rows, const double *c, const dou
   const GradientWeights &g = cloud.gradient();
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
-    for (const int i : rows) {
+    for_rows(rows, [&](int i) {
       const Vec<D> weight = correction<D>(g, i) * Eigen::Map<const Vec<D>>(c + 3 * i);
       store<3>(sums.template vector<3>(i, v) * weight, out, i);
-    }
+    });
   });
 }
 
@@ -171,9 +172,10 @@ void velocity_gradient(const Cloud &cloud, const Rows &rows, const double *v, do
   const GradientWeights &g = cloud.gradient();
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
-    for (const int i : rows)
+    for_rows(rows, [&](int i) {
       Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out + 9 * i) = in_space<D>(
           sums.template vector<3>(i, v), correction<D>(g, i));
+    });
   });
 }
 
@@ -182,11 +184,11 @@ void curl(const Cloud &cloud, const Rows &rows, const double *v, double *out)
   const GradientWeights &g = cloud.gradient();
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
-    for (const int i : rows) {
+    for_rows(rows, [&](int i) {
       const Mat<3> grad = in_space<D>(sums.vector_of_all(i, v), correction<D>(g, i));
       store<3>(Vec<3>(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)),
                out, i);
-    }
+    });
   });
 }
 

@@ -91,6 +91,14 @@ struct MorrisCount {
   int lambda = 0, condition = 0, diagonal = 0, surface = 0;
   // untrusted rows, so without the surface
   int total() const { return lambda + condition + diagonal; }
+  MorrisCount &operator+=(const MorrisCount &other)
+  {
+    lambda += other.lambda;
+    condition += other.condition;
+    diagonal += other.diagonal;
+    surface += other.surface;
+    return *this;
+  }
 };
 
 class LaplacianWeights {

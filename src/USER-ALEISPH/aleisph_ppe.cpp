@@ -5,6 +5,7 @@
 #include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -58,13 +59,42 @@ bool singular_wall(const Cloud &cloud, int i, double diagonal, const PpeOptions 
       too_few_fluid(cloud.stencil(), cloud.role(), i, options.min_wall_fluid);
 }
 
-void count(RowType type, PpeRows &rows)
+RowType assemble_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A)
 {
-  if (type == RowType::FLUID) rows.fluid++;
-  if (type == RowType::WALL) rows.wall++;
-  if (type == RowType::DIRICHLET) rows.dirichlet++;
-  if (type == RowType::SINGULAR) rows.singular++;
-  if (type == RowType::SURFACE) rows.surface++;
+  const Role role = cloud.role()[i];
+  const double d = cloud.spacing();
+  const RowType type = wanted_type(role);
+  if (type == RowType::FLUID) fluid_row(cloud.stencil(), i, d, A);
+  if (type == RowType::WALL) normal_row(cloud, i, -d, A);
+  if (type == RowType::SURFACE)
+    normal_row(cloud, i, role & BALLISTIC ? 0.0 : options.surface_offset, A);
+
+  const bool derivative = type == RowType::FLUID || type == RowType::WALL ||
+      type == RowType::SURFACE;
+  // the row of a derivative has zero sum: a constant pressure has no effect, to the last bit
+  const double diagonal = derivative ? -A.row_sum(i) : 0.0;
+  if (type == RowType::SURFACE && diagonal > 0.0)
+    A.diag(i) = 1.0 + diagonal;
+  else if (type == RowType::FLUID || type == RowType::WALL)
+    A.diag(i) = diagonal;
+  else
+    identity_row(A, i);
+
+  if ((type == RowType::FLUID && diagonal == 0.0) ||
+      (type == RowType::WALL && singular_wall(cloud, i, diagonal, options))) {
+    identity_row(A, i);
+    return RowType::SINGULAR;
+  }
+  return type;
+}
+
+PpeRows count(const std::vector<RowType> &type)
+{
+  const auto rows = [&type](RowType which) {
+    return static_cast<int>(std::count(type.begin(), type.end(), which));
+  };
+  return {rows(RowType::FLUID), rows(RowType::WALL), rows(RowType::DIRICHLET),
+          rows(RowType::SINGULAR), rows(RowType::SURFACE)};
 }
 
 }    // namespace
@@ -73,45 +103,17 @@ PpeRows assemble_ppe(const Cloud &cloud, std::vector<double> &&laplacian, const 
                      CsrMatrix &A, std::vector<RowType> &type)
 {
   const Stencil &s = cloud.stencil();
-  const Role *const role = cloud.role();
-  const double d = cloud.spacing();
-  PpeRows rows;
   A.reset(s.rows(), s.ptr(), s.col(), std::move(laplacian));
   type.resize(s.rows());
-  for (int i = 0; i < s.rows(); i++) {
-    type[i] = wanted_type(role[i]);
-    if (type[i] == RowType::FLUID) fluid_row(s, i, d, A);
-    if (type[i] == RowType::WALL) normal_row(cloud, i, -d, A);
-    if (type[i] == RowType::SURFACE)
-      normal_row(cloud, i, role[i] & BALLISTIC ? 0.0 : options.surface_offset, A);
-
-    const bool derivative = type[i] == RowType::FLUID || type[i] == RowType::WALL ||
-        type[i] == RowType::SURFACE;
-    // the row of a derivative has zero sum: a constant pressure has no effect, to the last bit
-    const double diagonal = derivative ? -A.row_sum(i) : 0.0;
-    if (type[i] == RowType::SURFACE && diagonal > 0.0)
-      A.diag(i) = 1.0 + diagonal;
-    else if (type[i] == RowType::FLUID || type[i] == RowType::WALL)
-      A.diag(i) = diagonal;
-    else
-      identity_row(A, i);
-
-    if ((type[i] == RowType::FLUID && diagonal == 0.0) ||
-        (type[i] == RowType::WALL && singular_wall(cloud, i, diagonal, options))) {
-      type[i] = RowType::SINGULAR;
-      identity_row(A, i);
-    }
-    count(type[i], rows);
-  }
-  return rows;
+  for_rows(s.rows(), [&](int i) { type[i] = assemble_row(cloud, i, options, A); });
+  return count(type);
 }
 
 void ppe_rhs(const Cloud &cloud, const std::vector<RowType> &type, const PpeFields &fields,
              double *b)
 {
   const double d = cloud.spacing();
-  const int n = static_cast<int>(type.size());
-  for (int i = 0; i < n; i++) {
+  for_rows(static_cast<int>(type.size()), [&](int i) {
     b[i] = 0.0;
     if (type[i] == RowType::FLUID) b[i] = -d * d * fields.rho_over_dt * fields.div[i];
     if (type[i] == RowType::DIRICHLET) b[i] = fields.p[i];
@@ -123,7 +125,7 @@ void ppe_rhs(const Cloud &cloud, const std::vector<RowType> &type, const PpeFiel
         v_n += (fields.vstar[k] - fields.vwall[k]) * cloud.normal()[k];
       b[i] = -d * fields.rho_over_dt * v_n;
     }
-  }
+  });
 }
 
 }    // namespace aleisph

@@ -30,7 +30,7 @@ class SeenRoles {
   void make_table(std::vector<Role> &table) const
   {
     table.resize(s_.rows());
-    for (int i = 0; i < s_.rows(); i++) table[i] = of(i);
+    for_rows(s_.rows(), [&](int i) { table[i] = of(i); });
   }
 
  private:

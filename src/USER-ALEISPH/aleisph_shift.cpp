@@ -215,19 +215,16 @@ Vec away_from_wall(const Scene &c, int i)
 template <class Model> ShiftCount shift_rows(const Scene &c, Model model, double *dr)
 {
   const double most = c.params.limit * c.d;
-  ShiftCount count;
-  for (const int i : c.cloud.fluid()) {
+  const int limited = count_rows(c.cloud.fluid(), [&](int i) {
     Vec step = Vec::Zero();
     if (!(c.role[i] & BALLISTIC)) step = model(i);
     if (c.params.wall_step > 0.0 && c.neighbours.any(i, WALL)) step += away_from_wall(c, i);
     const double length = step.norm();
-    if (length > most) {
-      step *= most / length;
-      count.limited++;
-    }
+    if (length > most) step *= most / length;
     put(step, dr, i);
-  }
-  return count;
+    return length > most;
+  });
+  return {limited};
 }
 
 inline Vec apply(const double *gradient, const Vec &r)
@@ -250,7 +247,7 @@ void surface_velocity_filter(const Cloud &cloud, const Rows &rows, const double 
 {
   const Stencil &s = cloud.stencil();
   const Role *const role = cloud.role();
-  for (const int i : rows) {
+  for_rows(rows, [&](int i) {
     Vec sum = Vec::Zero();
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
@@ -261,7 +258,7 @@ void surface_velocity_filter(const Cloud &cloud, const Rows &rows, const double 
       sum += cloud.volume() * cloud.kernel().w(s.r()[k]) * (at(v, j) - at(v, i) + linear);
     }
     put(sum, out, i);
-  }
+  });
 }
 
 }    // namespace aleisph

@@ -15,14 +15,13 @@
 
 #include "aleisph_kernel.h"
 #include "aleisph_roles.h"
+#include "aleisph_rows.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace aleisph {
-
-using Rows = std::vector<int>;    // owned particles, by local index
 
 // Candidate neighbours as a LAMMPS full neighbor list stores them; a particle
 // index is j = first[i][m] & mask, its column canonical[j]. Candidates beyond

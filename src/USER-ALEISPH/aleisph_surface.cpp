@@ -163,18 +163,20 @@ SurfaceCount detect_surface(Cloud &cloud, const SurfaceParams &params)
   const int least = params.min_neighbours > 0 ? params.min_neighbours : s.dim() + 1;
   AllRoundTest test(cloud, params.reach * d, params.half_angle * DEGREE);
   SurfaceNormal outward(s, role, params.wall_reach * d);
-  SurfaceCount count;
-  for (int i : cloud.fluid()) {
+  // of each row; added when no row reads the roles of others any more
+  std::vector<Role> found(cloud.owned());
+  for_rows(cloud.fluid(), [&](int i) {
     const bool ballistic = fluid_neighbours(s, role, i) < least;
     const bool surface = ballistic || (g.lambda(i) < params.max_lambda && test.open(i));
-    if (ballistic) role[i] |= BALLISTIC;
-    if (surface) role[i] |= SURFACE;
-    count.ballistic += ballistic;
-    count.surface += surface;
+    found[i] = (ballistic ? BALLISTIC : 0) | (surface ? SURFACE : 0);
     Eigen::Map<Vec3>(normal + 3 * i) = surface ? outward.at(i, normal) : Vec3(Vec3::Zero());
-  }
+  });
+  for_rows(cloud.fluid(), [&](int i) { role[i] |= found[i]; });
   cloud.roles_changed();
-  return count;
+  const auto count = [&](Role which) {
+    return count_rows(cloud.fluid(), [&](int i) { return found[i] & which; });
+  };
+  return {count(SURFACE), count(BALLISTIC)};
 }
 
 }    // namespace aleisph

@@ -44,17 +44,15 @@ int walls_below(const Cloud &cloud, int i, double reach, std::vector<Vec> &walls
 int hold_surface(const Cloud &cloud, const Rows &surface, double reach, double *v)
 {
   std::vector<Vec> walls;
-  int changed = 0;
-  for (const int i : surface) {
+  return count_rows(surface, [&](int i) {
     const int nearest = walls_below(cloud, i, reach, walls);
-    if (nearest < 0) continue;
+    if (nearest < 0) return false;
     const Vec wall = at(v, nearest), relative = at(v, i) - wall;
     const Vec held = without_parts_into_walls(relative, walls);
-    if (held == relative) continue;
+    if (held == relative) return false;
     for (int a = 0; a < cloud.dim(); a++) v[3 * i + a] = wall[a] + held[a];
-    changed++;
-  }
-  return changed;
+    return true;
+  });
 }
 
 }    // namespace aleisph

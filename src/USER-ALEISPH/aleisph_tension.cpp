@@ -45,52 +45,41 @@ double CurvatureCount::limit(double K, double bound)
 
 double TensionResult::total_curvature() const
 {
-  double total = 0.0;
-  for (const int i : rows) total += K[i];
-  return total;
+  return sum_rows(rows, [this](int i) { return K[i]; });
 }
 
 double TensionResult::largest_curvature() const
 {
-  double largest = 0.0;
-  for (const int i : rows) largest = std::max(largest, std::abs(K[i]));
-  return largest;
+  return max_rows(
+      rows, [this](int i) { return std::abs(K[i]); }, 0.0);
 }
 
 Rows surface_rows(const Cloud &cloud)
 {
-  const Rows &fluid = cloud.fluid();
-  const Role *role = cloud.role();
-  Rows rows;
-  std::copy_if(fluid.begin(), fluid.end(), std::back_inserter(rows),
-               [role](int i) { return bound_surface(role[i]); });
-  return rows;
+  return select_rows(cloud.fluid(), [&](int i) { return bound_surface(cloud.role()[i]); });
 }
 
 int normalise(const Rows &rows, double *N)
 {
-  int none = 0;
-  for (int i : rows) {
+  return count_rows(rows, [N](int i) {
     Eigen::Map<Eigen::Vector3d> n(N + 3 * i);
     const double length = n.norm();
-    if (length > 0.0)
-      n /= length;
-    else
-      none++;
-  }
-  return none;
+    if (length > 0.0) n /= length;
+    return !(length > 0.0);
+  });
 }
 
 void add_capillary_pressure(const TensionResult &tension, double sigma, double *p)
 {
-  for (const int i : tension.rows) p[i] += sigma * tension.K[i];
+  for_rows(tension.rows, [&](int i) { p[i] += sigma * tension.K[i]; });
 }
 
 void add_viscous_pressure(const TensionResult &tension, double mu, const double *grad_v, int dim,
                           double *p)
 {
-  for (const int i : tension.rows)
+  for_rows(tension.rows, [&](int i) {
     p[i] += 2.0 * mu * normal_strain(&tension.N[3 * i], grad_v + 9 * i, dim);
+  });
 }
 
 double normal_strain(const double *N, const double *grad_v, int dim)
@@ -103,8 +92,9 @@ double normal_strain(const double *N, const double *grad_v, int dim)
 
 void add_tension_force(const TensionResult &tension, double factor, int dim, double *const *f)
 {
-  for (const int i : tension.rows)
+  for_rows(tension.rows, [&](int i) {
     for (int a = 0; a < dim; a++) f[i][a] -= factor * tension.K[i] * tension.N[3 * i + a];
+  });
 }
 
 }    // namespace aleisph

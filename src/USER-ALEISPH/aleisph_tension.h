@@ -44,6 +44,14 @@ struct CurvatureCount {
 
   // K, or the bound on its modulus; counted where that acts
   double limit(double K, double bound);
+
+  CurvatureCount &operator+=(const CurvatureCount &other)
+  {
+    few += other.few;
+    unknown += other.unknown;
+    limited += other.limited;
+    return *this;
+  }
 };
 
 struct TensionResult {

@@ -59,9 +59,8 @@ int bind_tips(Cloud &cloud)
 {
   const Stencil &s = cloud.stencil();
   Role *role = cloud.role();
-  Rows bound;
-  for (const int i : cloud.fluid()) {
-    if (!(role[i] & BALLISTIC)) continue;
+  const Rows bound = select_rows(cloud.fluid(), [&](int i) {
+    if (!(role[i] & BALLISTIC)) return false;
     int walls = 0, others = 0;
     for (int k = s.begin(i); k < s.end(i); k++) {
       if (s.r()[k] >= TIP_REACH * cloud.spacing()) continue;
@@ -69,9 +68,9 @@ int bind_tips(Cloud &cloud)
       walls += (r & WALL) != 0;
       others += (r & (FLUID | WALL)) == FLUID;
     }
-    if (others > 0 && walls >= s.dim()) bound.push_back(i);
-  }
-  for (const int i : bound) role[i] &= ~BALLISTIC;
+    return others > 0 && walls >= s.dim();
+  });
+  for_rows(bound, [role](int i) { role[i] &= ~BALLISTIC; });
   cloud.roles_changed();
   return static_cast<int>(bound.size());
 }
@@ -80,30 +79,28 @@ int contact_normals(const ContactWalls &walls, const Rows &surface, const Contac
                     double *contact)
 {
   const Cloud &cloud = walls.cloud();
-  int count = 0;
-  for (const int i : surface) {
+  return count_rows(surface, [&](int i) {
     std::fill(contact + 4 * i, contact + 4 * i + 4, 0.0);
     ContactNormal sum(at(cloud.normal(), i));
     for (const ContactWall &wall : walls.nearest(i))
       if (wall.height < params.reach * cloud.spacing()) sum.add(wall);
-    if (!sum.found()) continue;
+    if (!sum.found()) return false;
     const Vector3d Nc = sum.value();
     for (int a = 0; a < 3; a++) contact[4 * i + a] = Nc[a];
     contact[4 * i + 3] = 1.0;
-    count++;
-  }
-  return count;
+    return true;
+  });
 }
 
 void contact_surface_normals(const Rows &surface, const double *share, const double *N,
                              double *normal)
 {
-  for (const int i : surface) {
+  for_rows(surface, [&](int i) {
     const Vector3d mean = (1.0 - share[i]) * at(normal, i) + share[i] * at(N, i);
     const double length = mean.norm();
     if (share[i] > 0.0 && length > 0.0)
       for (int a = 0; a < 3; a++) normal[3 * i + a] = mean[a] / length;
-  }
+  });
 }
 
 }    // namespace aleisph

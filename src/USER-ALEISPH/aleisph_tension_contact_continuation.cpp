@@ -74,9 +74,9 @@ void contact_planes(const Cloud &cloud, const WideStencil &wide, const double *c
 {
   const Stencil &s = wide.pairs;
   const double d = cloud.spacing();
-  for (const int j : cloud.all()) {
+  for_rows(cloud.all(), [&](int j) {
     const Role role = cloud.role()[j];
-    if (!(role & WALL)) continue;
+    if (!(role & WALL)) return;
     plane[2 * j] = (role & DRY) ? COVERED : -COVERED;
     plane[2 * j + 1] = 0.0;
     const Vector3d n = at(cloud.normal(), j);
@@ -91,12 +91,12 @@ void contact_planes(const Cloud &cloud, const WideStencil &wide, const double *c
       nearest = along;
       pair = k;
     }
-    if (pair < 0) continue;
+    if (pair < 0) return;
     const double *c = contact + 4 * s.col()[pair];
     const Vector3d Nc(c[0], c[1], c[2]);
     plane[2 * j] = separation(s, pair).dot(Nc) / d - 0.5;
     plane[2 * j + 1] = n.dot(Nc);
-  }
+  });
 }
 
 void add_continuation(const Cloud &cloud, const WideStencil &wide, const Rows &surface,
@@ -105,7 +105,7 @@ void add_continuation(const Cloud &cloud, const WideStencil &wide, const Rows &s
   const Stencil &s = wide.pairs;
   const double d = cloud.spacing();
   const ContactWalls walls(cloud, s, nullptr);
-  for (const int i : surface) {
+  for_rows(surface, [&](int i) {
     Vector3d sum = Vector3d::Zero();
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
@@ -120,7 +120,7 @@ void add_continuation(const Cloud &cloud, const WideStencil &wide, const Rows &s
       });
     }
     for (int a = 0; a < 3; a++) N[3 * i + a] += sum[a];
-  }
+  });
 }
 
 }    // namespace aleisph

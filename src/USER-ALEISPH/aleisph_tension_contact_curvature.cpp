@@ -136,8 +136,7 @@ int contact_curvature(const ContactWalls &walls, const Rows &surface, const Cont
                       const double *N, double *share, double *K)
 {
   const double d = walls.cloud().spacing();
-  int count = 0;
-  for (const int i : surface) {
+  return count_rows(surface, [&](int i) {
     EdgeCurvature edge;
     for (const ContactWall &wall : walls.mean(i)) {
       if (!(wall.height < params.far * d)) continue;
@@ -148,9 +147,8 @@ int contact_curvature(const ContactWalls &walls, const Rows &surface, const Cont
     share[i] = edge.share();
     bool limited = false;
     K[i] += share[i] * (edge.value(d, limited) - K[i]);
-    count += limited && share[i] > 0.0;
-  }
-  return count;
+    return limited && share[i] > 0.0;
+  });
 }
 
 }    // namespace aleisph

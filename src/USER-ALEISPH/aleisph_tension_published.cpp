@@ -14,14 +14,14 @@ void eigenvalue_gradient(const Cloud &cloud, const Rows &rows, const double *lam
 {
   const Stencil &s = cloud.stencil();
   const GradientWeights &g = cloud.gradient();
-  for (const int i : rows) {
+  for_rows(rows, [&](int i) {
     Direction outward;
     for (int k = s.begin(i); k < s.end(i); k++) {
       const Vec3 g_ij = pair_gradient(s, g, i, k);
       outward.add((lambda[i] - lambda[s.col()[k]]) * g_ij);
     }
     outward.store(N, i);
-  }
+  });
 }
 
 CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const double *N,
@@ -29,15 +29,12 @@ CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const d
 {
   const Stencil &s = cloud.stencil();
   const GradientWeights &g = cloud.gradient();
-  CurvatureCount count;
-  for (const int i : rows) {
+  return sum_rows(rows, [&](int i) {
+    CurvatureCount count;
     K[i] = 0.0;
-    if (few_neighbours(cloud, i)) {
-      count.few++;
-      continue;
-    }
+    count.few = few_neighbours(cloud, i);
     const Vec3 Ni = at(N, i);
-    if (Ni.isZero(0.0)) continue;
+    if (count.few || Ni.isZero(0.0)) return count;
     double kappa = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
@@ -48,8 +45,8 @@ CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const d
       kappa += factor * (Nj - Ni).dot(g_ij);
     }
     K[i] = count.limit((cloud.dim() - 1) * kappa, 1.0 / cloud.spacing());
-  }
-  return count;
+    return count;
+  });
 }
 
 void PublishedTension::find_normals(const TensionScene &scene)
@@ -57,14 +54,15 @@ void PublishedTension::find_normals(const TensionScene &scene)
   double *N = result_.N.data();
   lambda_.assign(result_.K.size(), 0.0);
   const GradientWeights &g = scene.cloud.gradient();
-  for (const int i : scene.cloud.all()) lambda_[i] = g.lambda(i);
+  for_rows(scene.cloud.all(), [&](int i) { lambda_[i] = g.lambda(i); });
   scene.exchange(lambda_.data(), 1);
   eigenvalue_gradient(scene.cloud, result_.rows, lambda_.data(), N);
   result_.undirected = normalise(result_.rows, N);
   const std::vector<double> &contact = result_.contact;
   if (!contact.empty())    // Morikawa, Tsuji & Asai, Fig. 9
-    for (const int i : result_.rows)
+    for_rows(result_.rows, [&](int i) {
       if (contact[4 * i + 3] > 0.0) std::copy_n(&contact[4 * i], 3, &N[3 * i]);
+    });
   scene.exchange(N, 3);
 }
 

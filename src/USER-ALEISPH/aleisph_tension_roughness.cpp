@@ -27,8 +27,8 @@ void add_roughness(const Cloud &cloud, double rate, const double *v, const doubl
                    double *a)
 {
   const Stencil &s = cloud.stencil();
-  for (const int i : cloud.fluid()) {
-    if (!bound_fluid(cloud.role()[i])) continue;
+  for_rows(cloud.fluid(), [&](int i) {
+    if (!bound_fluid(cloud.role()[i])) return;
     double out[3] = {0.0, 0.0, 0.0}, weights = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
@@ -41,7 +41,7 @@ void add_roughness(const Cloud &cloud, double rate, const double *v, const doubl
       weights += w;
     }
     for (int c = 0; c < 3 && weights > 0.0; c++) a[3 * i + c] += rate * (out[c] / weights);
-  }
+  });
 }
 
 }    // namespace aleisph

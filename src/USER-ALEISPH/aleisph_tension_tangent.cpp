@@ -129,29 +129,29 @@ CurvatureCount tangent_curvature(const Cloud &cloud, const Rows &rows, const dou
 {
   // in 3d not spacing() to the last bit
   const double d = std::pow(cloud.volume(), 1.0 / cloud.dim());
-  CurvatureCount count;
-  for (const int i : rows) {
+  return sum_rows(rows, [&](int i) {
+    CurvatureCount count;
     Mat3 A;
     const bool few = few_neighbours(cloud, i);
     const bool found = !few && local_shape(cloud, N, i, A);
     known[i] = found ? 1.0 : 0.0;
     K[i] = found ? outer_curvature(A, d, count) : 0.0;
-    count.few += few;
-    count.unknown += !few && !found;
-  }
-  return count;
+    count.few = few;
+    count.unknown = !few && !found;
+    return count;
+  });
 }
 
 int smooth_curvature(const Cloud &cloud, const Rows &rows, const double *N, const double *K,
                      const double *known, double *mean)
 {
-  CurvatureCount count;
-  for (const int i : rows) {
+  return count_rows(rows, [&](int i) {
+    CurvatureCount count;
     mean[i] = 0.0;
-    if (few_neighbours(cloud, i)) continue;
+    if (few_neighbours(cloud, i)) return false;
     mean[i] = count.limit(local_mean(cloud, N, K, known, i).value(), 1.0 / cloud.spacing());
-  }
-  return count.limited;
+    return count.limited > 0;
+  });
 }
 
 /* ---------------------------------------------------------------------- */

@@ -19,13 +19,13 @@ void WideStencil::build(const Cloud &cloud, const double *const *x, const Candid
 void wide_gradient(const Cloud &cloud, const WideStencil &wide, const Rows &rows, double *N)
 {
   const Stencil &s = wide.pairs;
-  for (const int i : rows) {
+  for_rows(rows, [&](int i) {
     Direction outward;
     for (int k = s.begin(i); k < s.end(i); k++)
       if (is_fluid(cloud.role()[s.col()[k]]))
         outward.add(-cloud.volume() * s.dw()[k] * direction(s, k));
     outward.store(N, i);
-  }
+  });
 }
 
 }    // namespace aleisph

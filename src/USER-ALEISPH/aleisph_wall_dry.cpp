@@ -71,18 +71,16 @@ class FluidAround {
 int mark_dry_walls(const double *const *x, const CandidateList &list, double reach, Cloud &cloud)
 {
   const FluidAround fluid(x, list, cloud);
-  int dry = 0;
-  for (int i = 0; i < cloud.owned(); i++) {
-    if (!(cloud.role()[i] & WALL)) continue;
+  const Rows dry = select_rows(cloud.owned(), [&](int i) {
+    if (!(cloud.role()[i] & WALL)) return false;
     const double wet = reach * cloud.spacing() * std::max(cloud.shape()[i], 1.0);
     const double nearest2 = fluid.nearest_squared(i);
-    if (nearest2 < wet * wet) continue;
-    if (nearest2 < REACH_ABOVE * REACH_ABOVE * wet * wet && fluid.above(i)) continue;
-    cloud.role()[i] |= DRY;
-    dry++;
-  }
+    if (nearest2 < wet * wet) return false;
+    return !(nearest2 < REACH_ABOVE * REACH_ABOVE * wet * wet && fluid.above(i));
+  });
+  for_rows(dry, [&](int i) { cloud.role()[i] |= DRY; });
   cloud.roles_changed();
-  return dry;
+  return static_cast<int>(dry.size());
 }
 
 }    // namespace aleisph
