@@ -53,7 +53,8 @@ class AleisphChecks : protected Pointers {
   void fix_order() const;
   bool late_lists() const;
   void find_contradictions();
-  void check_arrival(int i, long long *atoms) const;
+  void check_arrivals(long long *atoms) const;
+  template <class F> long long largest(F &&is_wrong) const;
   void refuse_close(const aleisph::CandidateList &list) const;
   bool loses_neighbors(int i) const;
   void refuse_contradiction(long long code) const;

@@ -155,16 +155,15 @@ class Measure {
 
 SurfaceArea surface_area(const Cloud &cloud, const SurfaceFields &fields)
 {
-  SurfaceArea sum;
   Measure measure(cloud, fields);
-  for (const int i : surface_rows(cloud)) {
+  return sum_rows(surface_rows(cloud), [&](int i) {
+    SurfaceArea mine;
     const Vector3d N = at(fields.N, i);
-    if (!(N.norm() > 0.5)) continue;    // without a direction
-    const double area = measure.of(i);
-    sum.area += area;
-    sum.vector += area * N;
-  }
-  return sum;
+    if (!(N.norm() > 0.5)) return mine;    // without a direction
+    mine.area = measure.of(i);
+    mine.vector = mine.area * N;
+    return mine;
+  });
 }
 
 }    // namespace aleisph

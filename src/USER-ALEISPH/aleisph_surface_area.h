@@ -35,6 +35,13 @@ struct SurfaceArea {
   // sum of N area. With walls of one plane of normal n (into the fluid) n.vector is the area that
   // the fluid covers on them: over a closed surface the integral of the normal is zero.
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+
+  SurfaceArea &operator+=(const SurfaceArea &other)
+  {
+    area += other.area;
+    vector += other.vector;
+    return *this;
+  }
 };
 
 // What fix aleisph/tension knows of the surface: N on owned and ghost, K on owned particles,

@@ -85,12 +85,14 @@ void ComputeAleisphAtom::fill(Field field, double *out, int stride)
 {
   if (field == Field::DIVV || field == Field::RHO) {
     const std::vector<double> values = field == Field::DIVV ? divergence() : density();
-    for (int i = 0; i < atom->nlocal; i++)
+    aleisph::for_rows(atom->nlocal, [&](int i) {
       out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? values[i] : 0.0;
+    });
     return;
   }
-  for (int i = 0; i < atom->nlocal; i++)
+  aleisph::for_rows(atom->nlocal, [&](int i) {
     out[static_cast<std::size_t>(stride) * i] = atom->mask[i] & groupbit ? value(field, i) : 0.0;
+  });
 }
 
 // In a step, curvature and contact lines come after walls and prescribed pressures
@@ -122,7 +124,7 @@ std::vector<double> ComputeAleisphAtom::density() const
   const auto &cloud = owner_->cloud();
   std::vector<double> rho(atom->nlocal, 0.0);
   aleisph::density_deviation(cloud, true, rho.data());
-  for (const int i : cloud.fluid()) rho[i] += 1.0;
+  aleisph::for_rows(cloud.fluid(), [&](int i) { rho[i] += 1.0; });
   return rho;
 }
 

@@ -97,16 +97,18 @@ void ComputeAleisphEnergy::compute_vector()
 void ComputeAleisphEnergy::add_particles(double *mine) const
 {
   const double m = owner_->particle_mass();
-  for (const int i : owner_->cloud().fluid()) {
-    if (!(atom->mask[i] & groupbit)) continue;
+  const aleisph::Rows rows = aleisph::select_rows(
+      owner_->cloud().fluid(), [this](int i) { return atom->mask[i] & groupbit; });
+  mine[KINETIC] += aleisph::sum_rows(rows, [&](int i) {
     const double *v = atom->v[i];
-    double x[3];
+    return 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  });
+  mine[POTENTIAL] -= aleisph::sum_rows(rows, [&](int i) {
+    double x[3], energy = 0.0;
     domain->unmap(atom->x[i], atom->image[i], x);
-    for (int a = 0; a < 3; a++) {
-      mine[KINETIC] += 0.5 * m * v[a] * v[a];
-      mine[POTENTIAL] -= m * gravity_[a] * (x[a] - origin_[a]);
-    }
-  }
+    for (int a = 0; a < 3; a++) energy += m * gravity_[a] * (x[a] - origin_[a]);
+    return energy;
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -137,15 +139,16 @@ void ComputeAleisphEnergy::check_walls(const double *cosine, double *wall) const
   constexpr double NONE = -std::numeric_limits<double>::max();
   double largest[8];    // of normal and cosine, and of their negatives
   std::fill_n(largest, 8, NONE);
-  for (int i = 0; i < cloud.owned(); i++) {
+  const aleisph::Rows rows = aleisph::select_rows(cloud.owned(), [&](int i) {
     const double *n = cloud.normal() + 3 * i;
-    if (!(cloud.role()[i] & aleisph::WALL) || std::fabs(cosine[i]) < SAME) continue;
-    if (n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0) continue;    // not found yet
-    const double values[4] = {n[0], n[1], n[2], cosine[i]};
-    for (int k = 0; k < 4; k++) {
-      largest[k] = std::max(largest[k], values[k]);
-      largest[4 + k] = std::max(largest[4 + k], -values[k]);
-    }
+    const bool found = n[0] != 0.0 || n[1] != 0.0 || n[2] != 0.0;
+    return (cloud.role()[i] & aleisph::WALL) && std::fabs(cosine[i]) >= SAME && found;
+  });
+  for (int k = 0; k < 4; k++) {
+    const auto value = [&](int i) { return k < 3 ? cloud.normal()[3 * i + k] : cosine[i]; };
+    largest[k] = aleisph::max_rows(rows, value, NONE);
+    largest[4 + k] = aleisph::max_rows(
+        rows, [&](int i) { return -value(i); }, NONE);
   }
   for (double &value : largest) value = owner_->ranks().max(value);
   if (largest[3] == NONE) return;

@@ -7,6 +7,7 @@
 #include "compute_aleisph_exact.h"
 
 #include "aleisph_exact.h"
+#include "aleisph_rows.h"
 #include "atom.h"
 #include "error.h"
 #include "memory.h"
@@ -135,10 +136,10 @@ void ComputeAleisphExact::compute_peratom()
   }
   const double now = update->atime + (update->ntimestep - update->atimestep) * update->dt;
   const double t = steady_ ? -1.0 : now;
-  for (int i = 0; i < atom->nlocal; i++) {
+  aleisph::for_rows(atom->nlocal, [&](int i) {
     std::fill(array_atom[i], array_atom[i] + NCOLUMNS, 0.0);
     if (atom->mask[i] & groupbit) solution_(atom->x[i], t, array_atom[i]);
-  }
+  });
 }
 
 double ComputeAleisphExact::memory_usage()

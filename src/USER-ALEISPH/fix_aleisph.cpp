@@ -250,11 +250,14 @@ void FixAleisph::check_distances()
 void FixAleisph::require_finite(const double *v, const std::string &caller,
                                 const std::string &what) const
 {
-  tagint bad = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int a = 0; a < domain->dimension; a++)
-      if (!std::isfinite(v[3 * i + a])) bad = atom->tag[i];
-  if ((bad = ranks_->largest(bad)))
+  const auto is_finite = [this, v](int i) {
+    return std::all_of(v + 3 * i, v + 3 * i + domain->dimension,
+                       [](double component) { return std::isfinite(component); });
+  };
+  const tagint mine = aleisph::max_rows(
+      atom->nlocal, [&](int i) { return is_finite(i) ? 0 : atom->tag[i]; }, tagint(0));
+  const tagint bad = ranks_->largest(mine);
+  if (bad)
     error->all(FLERR, "{}: {} of atom {} is not finite at step {}", caller, what, bad,
                update->ntimestep);
 }
@@ -266,8 +269,9 @@ void FixAleisph::assign_roles()
   cloud_->reset(atom->nlocal, n);
   Role *role = cloud_->role();
   for (const auto &group : scene_->roles())
-    for (int i = 0; i < n; i++)
+    aleisph::for_rows(n, [&](int i) {
       if (mask[i] & group.groupbit) role[i] |= group.role;
+    });
 }
 
 /* ---------------------------------------------------------------------- */
@@ -299,9 +303,8 @@ double FixAleisph::compute_vector(int n)
     case 10: return counts.laplacian;
     case 11: {
       const auto &gradient = cloud_->gradient();
-      double smallest = 1.0;
-      for (const int i : cloud.fluid()) smallest = std::min(smallest, gradient.lambda(i));
-      return ranks_->min(smallest);
+      return ranks_->min(aleisph::min_rows(
+          cloud.fluid(), [&](int i) { return gradient.lambda(i); }, 1.0));
     }
     case 12:
       return static_cast<double>(ranks_->sum(cloud.stencil().pairs())) /

@@ -165,40 +165,55 @@ void AleisphChecks::find_contradictions()
         contradictions_.emplace_back(a, b);
 }
 
+// ID of an atom of this rank of which this is true: the largest, 0 if there is none
+template <class F> long long AleisphChecks::largest(F &&is_wrong) const
+{
+  return aleisph::max_rows(
+      atom->nlocal, [&](int i) { return is_wrong(i) ? atom->tag[i] : 0; }, 0LL);
+}
+
 void AleisphChecks::find_faults(bool fresh, long long *atoms) const
 {
   const Role *role = owner_.cloud().role();
   const int *mask = atom->mask;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const Role r = role[i];
-    if (!(mask[i] & owner_.groupbit) || !(r & (aleisph::FLUID | aleisph::WALL)))
-      atoms[NO_ROLE] = atom->tag[i];
-    if ((r & aleisph::WALL) && (r & (aleisph::FLUID | aleisph::BUFFER)))
-      atoms[TWO_ROLES] = atom->tag[i];
-    if ((r & aleisph::BUFFER) && !(r & aleisph::DIRICHLET)) atoms[BUFFER] = atom->tag[i];
-    if (fresh) check_arrival(i, atoms);
-  }
+  atoms[NO_ROLE] = largest([&](int i) {
+    return !(mask[i] & owner_.groupbit) || !(role[i] & (aleisph::FLUID | aleisph::WALL));
+  });
+  atoms[TWO_ROLES] = largest([&](int i) {
+    return (role[i] & aleisph::WALL) && (role[i] & (aleisph::FLUID | aleisph::BUFFER));
+  });
+  atoms[BUFFER] = largest(
+      [&](int i) { return (role[i] & aleisph::BUFFER) && !(role[i] & aleisph::DIRICHLET); });
+  if (fresh) check_arrivals(atoms);
   const auto &claims = owner_.scene().claims();
   const auto pairs = static_cast<long long>(contradictions_.size());
   for (long long k = 0; k < pairs; k++) {
     const int first = claims[contradictions_[k].first].groupbit;
     const int second = claims[contradictions_[k].second].groupbit;
     // the atom and the pair in one number
-    for (int i = 0; i < atom->nlocal; i++)
-      if ((mask[i] & first) && (mask[i] & second)) atoms[CONTRADICTION] = atom->tag[i] * pairs + k;
+    const auto code = [&](int i) -> long long {
+      return (mask[i] & first) && (mask[i] & second) ? atom->tag[i] * pairs + k : 0;
+    };
+    atoms[CONTRADICTION] = aleisph::max_rows(atom->nlocal, code, atoms[CONTRADICTION]);
   }
 }
 
-void AleisphChecks::check_arrival(int i, long long *atoms) const
+void AleisphChecks::check_arrivals(long long *atoms) const
 {
-  const double *const x = atom->x[i], *const v = atom->v[i];
-  for (int a = 0; a < 3; a++)
-    if (!std::isfinite(x[a]) || !std::isfinite(v[a])) atoms[NOT_FINITE] = atom->tag[i];
-  if (domain->dimension == 2 && v[2] != 0.0) atoms[OUT_OF_PLANE] = atom->tag[i];
-  const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
   const double m = owner_.particle_mass();
-  if (!(std::fabs(mass - m) <= MASS_TOLERANCE * m)) atoms[MASS] = atom->tag[i];
-  if (atom->molecular != Atom::ATOMIC && loses_neighbors(i)) atoms[SPECIAL] = atom->tag[i];
+  atoms[NOT_FINITE] = largest([&](int i) {
+    const double *const x = atom->x[i], *const v = atom->v[i];
+    const auto finite = [](double value) { return std::isfinite(value); };
+    return !std::all_of(x, x + 3, finite) || !std::all_of(v, v + 3, finite);
+  });
+  atoms[OUT_OF_PLANE] = largest(
+      [&](int i) { return domain->dimension == 2 && atom->v[i][2] != 0.0; });
+  atoms[MASS] = largest([&](int i) {
+    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+    return !(std::fabs(mass - m) <= MASS_TOLERANCE * m);
+  });
+  atoms[SPECIAL] = largest(
+      [&](int i) { return atom->molecular != Atom::ATOMIC && loses_neighbors(i); });
 }
 
 // LAMMPS leaves bonded pairs with zero special_bonds weights out of all neighbor lists
@@ -222,8 +237,8 @@ void AleisphChecks::arrivals(bool close, const aleisph::CandidateList &list)
   if (natoms_ == 0 && owner_.fields().pressure_known()) natoms_ = -1;    // from a restart file
   if (close && natoms_ >= 0) refuse_close(list);
   if (natoms_ == atom->natoms) return;
-  long long newest = 0;
-  for (int i = 0; i < atom->nlocal; i++) newest = std::max<long long>(newest, atom->tag[i]);
+  const long long newest = aleisph::max_rows(
+      atom->nlocal, [this](int i) { return atom->tag[i]; }, 0LL);
   known_ = std::max(known_, owner_.ranks().largest(newest));
   natoms_ = atom->natoms;
 }
@@ -231,17 +246,19 @@ void AleisphChecks::arrivals(bool close, const aleisph::CandidateList &list)
 void AleisphChecks::refuse_close(const aleisph::CandidateList &list) const
 {
   const double close = aleisph::Cloud::CLOSE * owner_.cloud().spacing();
-  long long found = 0;
-  for (int i = 0; i < atom->nlocal; i++)
+  const auto is_close = [&](int i) {
     for (int m = 0; m < list.count[i]; m++) {
       const int j = list.first[i][m] & list.mask;
       const double *const a = atom->x[i], *const b = atom->x[j];
       const double z = domain->dimension == 3 ? a[2] - b[2] : 0.0;
       if (std::max(atom->tag[i], atom->tag[j]) > known_ &&
           std::hypot(a[0] - b[0], a[1] - b[1], z) <= close)
-        found = std::max<long long>(found, atom->tag[i]);
+        return true;
     }
-  if ((found = owner_.ranks().largest(found)))
+    return false;
+  };
+  const long long found = owner_.ranks().largest(largest(is_close));
+  if (found)
     error->all(
         FLERR,
         "Fix aleisph: atom {} is nearer than {} to another one, {} spacings; use delete_atoms "

@@ -157,34 +157,35 @@ double FixAleisphGuard::gradient_energy(const std::vector<double> &before, const
 {
   const double *vstar = owner_->fields().predicted().owned();
   const double factor = update->dt / owner_->fluid().rho0;
-  double sum = 0.0;
-  for (const int i : owner_->cloud().fluid())
+  const double sum = aleisph::sum_rows(owner_->cloud().fluid(), [&](int i) {
+    double change = 0.0;
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       const double now = vstar[k] - factor * grad[k], then = vstar[k] - factor * before[k];
-      sum += now * now - then * then;
+      change += now * now - then * then;
     }
+    return change;
+  });
   return 0.5 * owner_->particle_mass() * sum;
 }
 
 void FixAleisphGuard::limit_pressure(const aleisph::Field &pressure, double *grad)
 {
-  long low = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(pressure.owned()[i] < least_pressure_)) continue;
-    pressure.edit()[i] = least_pressure_;
-    low++;
-  }
+  const aleisph::Rows low = aleisph::select_rows(
+      atom->nlocal, [&](int i) { return pressure.owned()[i] < least_pressure_; });
   double energy = 0.0;
-  if (owner_->ranks().sum(low)) {
+  if (owner_->ranks().sum(static_cast<long>(low.size()))) {
+    double *p = pressure.edit();
+    aleisph::for_rows(low, [&](int i) { p[i] = least_pressure_; });
     owner_->ranks().forward(pressure);
     auto &cloud = owner_->cloud();
     work_.assign(grad, grad + 3 * static_cast<std::size_t>(atom->nlocal));
     aleisph::gradient(cloud, cloud.fluid(), pressure.all(), grad);
-    for (const int i : cloud.fluid())
+    aleisph::for_rows(cloud.fluid(), [&](int i) {
       if (cloud.role()[i] & aleisph::BALLISTIC) std::fill_n(grad + 3 * i, 3, 0.0);
+    });
     energy = gradient_energy(work_, grad);
   }
-  record(PRESSURE, low, energy);
+  record(PRESSURE, static_cast<long>(low.size()), energy);
 }
 
 void FixAleisphGuard::replace_gradients(const double *p, double *grad)
@@ -208,10 +209,9 @@ void FixAleisphGuard::correct_self_terms(const double *p, double *grad)
 // fluid that has a pressure gradient
 aleisph::Rows FixAleisphGuard::free_rows() const
 {
-  aleisph::Rows rows;
-  for (const int i : owner_->cloud().fluid())
-    if (!(owner_->cloud().role()[i] & aleisph::BALLISTIC)) rows.push_back(i);
-  return rows;
+  const auto &cloud = owner_->cloud();
+  return aleisph::select_rows(cloud.fluid(),
+                              [&](int i) { return !(cloud.role()[i] & aleisph::BALLISTIC); });
 }
 
 // L of ghosts, too
@@ -231,12 +231,14 @@ void FixAleisphGuard::complete_inverses()
 double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
 {
   double *v = owner_->fields().velocity().edit();
-  double sum = 0.0;
-  for (const int i : owner_->cloud().fluid())
+  const double sum = aleisph::sum_rows(owner_->cloud().fluid(), [&](int i) {
+    double change = 0.0;
     for (int k = 3 * i; k < 3 * i + 3; k++) {
-      sum += dv[k] * (2.0 * v[k] + dv[k]);
+      change += dv[k] * (2.0 * v[k] + dv[k]);
       v[k] += dv[k];
     }
+    return change;
+  });
   return 0.5 * owner_->particle_mass() * sum;
 }
 
@@ -260,9 +262,9 @@ void FixAleisphGuard::cap()
   const auto &fluid = owner_->cloud().fluid();
   double *v = owner_->fields().velocity().edit();
   const auto energy = [&]() {
-    double sum = 0.0;
-    for (const int i : fluid)
-      for (int k = 3 * i; k < 3 * i + 3; k++) sum += v[k] * v[k];
+    const double sum = aleisph::sum_rows(fluid, [v](int i) {
+      return v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2];
+    });
     return 0.5 * owner_->particle_mass() * sum;
   };
   const double before = energy();
@@ -280,21 +282,24 @@ void FixAleisphGuard::hold_off_walls()
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
   std::vector<double> w(n, 0.0), dw(n, 0.0);
   work_.assign(n, 0.0);
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       if (!shifted_) u[k] = 0.0;    // nobody else sets it anew
       w[k] = v[k] + u[k];
     }
+  });
   const aleisph::WallGuard guard = {walls_ * cloud.spacing(), update->dt, v, w.data()};
   const int events = aleisph::hold_off_walls(cloud, guard, work_.data(), dw.data());
   // the work of body forces along the displacement is lost or gained
-  double energy = change_velocity(work_);
-  for (const int i : cloud.fluid())
+  const double work = aleisph::sum_rows(cloud.fluid(), [&](int i) {
+    double mine = 0.0;
     for (int a = 0; a < domain->dimension; a++) {
       u[3 * i + a] += dw[3 * i + a] - work_[3 * i + a];
-      energy -= atom->f[i][a] * dw[3 * i + a] * update->dt;
+      mine += atom->f[i][a] * dw[3 * i + a] * update->dt;
     }
-  record(WALLS, events, energy);
+    return mine;
+  });
+  record(WALLS, events, change_velocity(work_) - work);
 }
 
 /* ---------------------------------------------------------------------- */

@@ -229,11 +229,9 @@ double FixAleisphPPE::rounding_level() const
   if (params_.divergence > 0.0) return largest_rounding();
   const double *vstar = owner_->fields().predicted().owned();
   const double *p = owner_->fields().pressure().owned();
-  double squares[2] = {0.0, 0.0};
-  for (int i = 0; i < atom->nlocal; i++) {
-    for (int a = 0; a < 3; a++) squares[0] += vstar[3 * i + a] * vstar[3 * i + a];
-    squares[1] += p[i] * p[i];
-  }
+  double squares[2] = {
+      aleisph::sum_rows(3 * atom->nlocal, [vstar](int k) { return vstar[k] * vstar[k]; }),
+      aleisph::sum_rows(atom->nlocal, [p](int i) { return p[i] * p[i]; })};
   owner_->ranks().sum(2, squares);
   return ROUNDING *
       (owner_->fluid().rho0 * owner_->cloud().spacing() / update->dt * std::sqrt(squares[0]) +
@@ -359,8 +357,9 @@ void FixAleisphPPE::correct_velocity()
     if (owner_->scene().surface().present) release_ballistic();
     if (auto *guard = owner_->scene().pressure_guard())
       guard->guard_pressure(owner_->fields().pressure(), grad_.data());
-    for (const int i : cloud.fluid())
+    aleisph::for_rows(cloud.fluid(), [&](int i) {
       for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
+    });
   }
   if (auto *guard = owner_->scene().velocity_guard()) guard->guard_velocity(v);
   if (!owner_->scene().conditions().empty()) owner_->complete_velocity(velocity);
@@ -368,8 +367,10 @@ void FixAleisphPPE::correct_velocity()
 
 void FixAleisphPPE::release_ballistic()
 {
-  for (const int i : owner_->cloud().fluid())
-    if (owner_->cloud().role()[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
+  const aleisph::Role *role = owner_->cloud().role();
+  aleisph::for_rows(owner_->cloud().fluid(), [&](int i) {
+    if (role[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
+  });
 }
 
 /* ---------------------------------------------------------------------- */
@@ -389,12 +390,11 @@ double FixAleisphPPE::max_divergence()
   const double *v = velocity.all();
   div_.resize(atom->nlocal);
   aleisph::divergence(cloud, cloud.fluid(), v, div_.data());
-  double mine = 0.0;
   const auto &types = owner_->fields().row_types();
-  for (const int i : cloud.fluid())
-    if (types.empty() || types[i] == aleisph::RowType::FLUID)
-      mine = std::max(mine, std::fabs(div_[i]));
-  return owner_->ranks().max(mine);
+  const auto divergence = [&](int i) {
+    return types.empty() || types[i] == aleisph::RowType::FLUID ? std::fabs(div_[i]) : 0.0;
+  };
+  return owner_->ranks().max(aleisph::max_rows(cloud.fluid(), divergence, 0.0));
 }
 
 double FixAleisphPPE::compute_scalar()

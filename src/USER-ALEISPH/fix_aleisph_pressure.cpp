@@ -114,17 +114,19 @@ void FixAleisphPressure::set_pressure()
   double *pressure = owner_->fields().pressure().edit();
   const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),
                                                 update->dt);
-  tagint bad = 0, large = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (!std::isfinite(p[i])) bad = atom->tag[i];
-    if (std::fabs(p[i]) > most) large = atom->tag[i];
-    pressure[i] = p[i];
-  }
-  if ((bad = owner_->ranks().largest(bad)))
+  const aleisph::Rows prescribed = aleisph::select_rows(
+      atom->nlocal, [this](int i) { return atom->mask[i] & groupbit; });
+  aleisph::for_rows(prescribed, [&](int i) { pressure[i] = p[i]; });
+  const auto named = [&](const auto &is_wrong) {
+    return owner_->ranks().largest(aleisph::max_rows(
+        prescribed, [&](int i) { return is_wrong(p[i]) ? atom->tag[i] : 0; }, tagint(0)));
+  };
+  const tagint bad = named([](double value) { return !std::isfinite(value); });
+  if (bad)
     error->all(FLERR, "Fix aleisph/pressure: pressure of atom {} is not finite at step {}", bad,
                update->ntimestep);
-  if ((large = owner_->ranks().largest(large)))
+  const tagint large = named([most](double value) { return std::fabs(value) > most; });
+  if (large)
     error->all(FLERR,
                "Fix aleisph/pressure: pressure of atom {} is above {:.4g} at step {}, where its "
                "rounding alone moves fluid; look at the units",
@@ -136,19 +138,19 @@ void FixAleisphPressure::set_pressure()
 void FixAleisphPressure::find_sources()
 {
   const auto &cloud = owner_->cloud();
-  buffer_.clear();
-  source_.clear();
+  buffer_ = aleisph::select_rows(cloud.buffer(),
+                                 [this](int i) { return atom->mask[i] & buffer_bit_; });
+  const int n = static_cast<int>(buffer_.size());
+  source_.resize(n);
   slot_.assign(atom->nlocal, -1);
-  tagint bad = 0;
-  for (const int i : cloud.buffer()) {
-    if (!(atom->mask[i] & buffer_bit_)) continue;
-    const int j = nearest_source(i);
-    if (j < 0) bad = atom->tag[i];
-    slot_[i] = buffer_.size();
-    buffer_.push_back(i);
-    source_.push_back(j);
-  }
-  if ((bad = owner_->ranks().largest(bad)))
+  aleisph::for_rows(n, [this](int m) {
+    source_[m] = nearest_source(buffer_[m]);
+    slot_[buffer_[m]] = m;
+  });
+  const tagint mine = aleisph::max_rows(
+      n, [this](int m) { return source_[m] < 0 ? atom->tag[buffer_[m]] : 0; }, tagint(0));
+  const tagint bad = owner_->ranks().largest(mine);
+  if (bad)
     error->all(FLERR,
                "Fix aleisph/pressure: buffer atom {} has no fluid particle one spacing away in the "
                "buffer direction; align the layers or turn the direction towards the fluid",
@@ -184,7 +186,7 @@ void FixAleisphPressure::find_depth()
 {
   constexpr double UNKNOWN = 1.0e9;
   std::vector<double> depth(owner_->cloud().size(), 0.0);
-  for (const int i : buffer_) depth[i] = UNKNOWN;
+  aleisph::for_rows(buffer_, [&](int i) { depth[i] = UNKNOWN; });
   double deepest = 0.0;
   for (int sweep = 0; sweep <= MAX_DEPTH; sweep++) {
     owner_->ranks().forward(depth.data(), 1);

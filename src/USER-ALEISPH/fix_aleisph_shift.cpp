@@ -205,27 +205,28 @@ double FixAleisphShift::head() const
   const auto &ranks = owner_->ranks();
   const auto &fluid = owner_->cloud().fluid();
   double mean[4] = {0.0, 0.0, 0.0, static_cast<double>(fluid.size())};    // of the force
-  for (const int i : fluid)
-    for (int a = 0; a < 3; a++) mean[a] += atom->f[i][a];
+  for (int a = 0; a < 3; a++)
+    mean[a] = aleisph::sum_rows(fluid, [this, a](int i) { return atom->f[i][a]; });
   ranks.sum(4, mean);
   if (mean[3] == 0.0) return 0.0;
   double g[3];
   for (int a = 0; a < 3; a++) g[a] = mean[a] / (mean[3] * owner_->particle_mass());
 
-  double lowest = -std::numeric_limits<double>::max();
-  for (const int i : fluid) lowest = std::max(lowest, dot(g, atom->x[i]));
-  const double floor = ranks.max(lowest) + std::sqrt(dot(g, g)) * owner_->cloud().spacing();
+  const double lowest = ranks.max(aleisph::max_rows(
+      fluid, [&](int i) { return dot(g, atom->x[i]); }, -std::numeric_limits<double>::max()));
+  const double floor = lowest + std::sqrt(dot(g, g)) * owner_->cloud().spacing();
   return std::sqrt(std::max(0.0, ranks.max(largest_head(g)) + 2.0 * floor));
 }
 
 // of this rank: max (v^2 - 2 g.x); g: null for none
 double FixAleisphShift::largest_head(const double *g) const
 {
-  double largest = g ? -std::numeric_limits<double>::max() : 0.0;
   const double *v = owner_->fields().velocity().owned();
-  for (const int i : owner_->cloud().fluid())
-    largest = std::max(largest, dot(v + 3 * i, v + 3 * i) - (g ? 2.0 * dot(g, atom->x[i]) : 0.0));
-  return largest;
+  const auto head = [&](int i) {
+    return dot(v + 3 * i, v + 3 * i) - (g ? 2.0 * dot(g, atom->x[i]) : 0.0);
+  };
+  return aleisph::max_rows(owner_->cloud().fluid(), head,
+                           g ? -std::numeric_limits<double>::max() : 0.0);
 }
 
 // U
@@ -269,8 +270,9 @@ void FixAleisphShift::shift()
   limited_total_ += count.limited;
 
   double *u = owner_->fields().property(SHIFT);
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int a = 0; a < 3; a++) u[3 * i + a] = dr_[3 * i + a] / update->dt;
+  });
   owner_->require_finite(dr_.data(), "Fix aleisph/shift", "shift");
   started_ = true;
 }
@@ -288,17 +290,17 @@ void FixAleisphShift::add_acceleration(double *a)
   const std::size_t nall = cloud.size();
   grad_v_.assign(9 * nall, 0.0);
   const aleisph::SeenRoles neighbours = cloud.neighbours();
-  rows_.clear();
-  for (const int i : cloud.fluid())
-    if ((cloud.role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE))
-      rows_.push_back(i);
+  rows_ = aleisph::select_rows(cloud.fluid(), [&](int i) {
+    return (cloud.role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE);
+  });
   aleisph::velocity_gradient(cloud, rows_, owner_->fields().velocity().all(), grad_v_.data());
   owner_->ranks().forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   aleisph::surface_velocity_filter(cloud, rows_, owner_->fields().velocity().all(), grad_v_.data(),
                                    work_.data());
-  for (const int i : rows_)
+  aleisph::for_rows(rows_, [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share / update->dt * work_[k];
+  });
 }
 
 /* ---------------------------------------------------------------------- */
@@ -324,20 +326,24 @@ double FixAleisphShift::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/shift");
   if (!owner_->ready()) return 0.0;
   const auto &fluid = owner_->cloud().fluid();
-  double mine = 0.0;
   switch (n) {
     case 0: return coefficient_;
     case 1: return owner_->ranks().sum(limited_);
     case 2: return owner_->ranks().sum(std::lround(limited_total_));
-    case 3:
-      for (const int i : fluid)
-        if (3 * static_cast<std::size_t>(i) < dr_.size())
-          mine = std::max(mine, std::hypot(dr_[3 * i], dr_[3 * i + 1], dr_[3 * i + 2]));
-      return owner_->ranks().max(mine) / owner_->cloud().spacing();
-    default:
-      for (const int i : fluid)
-        if (static_cast<std::size_t>(i) < eps_.size()) mine += eps_[i];
+    case 3: {
+      const auto length = [this](int i) {
+        return 3 * static_cast<std::size_t>(i) < dr_.size()
+            ? std::hypot(dr_[3 * i], dr_[3 * i + 1], dr_[3 * i + 2])
+            : 0.0;
+      };
+      return owner_->ranks().max(aleisph::max_rows(fluid, length, 0.0)) / owner_->cloud().spacing();
+    }
+    default: {
+      const double mine = aleisph::sum_rows(fluid, [this](int i) {
+        return static_cast<std::size_t>(i) < eps_.size() ? eps_[i] : 0.0;
+      });
       return owner_->ranks().total(mine) / std::max(1L, owner_->ranks().sum(fluid.size()));
+    }
   }
 }
 

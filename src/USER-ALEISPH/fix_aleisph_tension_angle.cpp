@@ -54,9 +54,9 @@ void FixAleisphTension::resolve_angles() const
   int walls = 0;
   for (const Fix *wall : modify->get_fix_by_style("^aleisph/wall$")) walls |= wall->groupbit;
   for (const auto &angle : angles_) {
-    bigint count = 0;
-    for (int i = 0; i < atom->nlocal; i++)
-      count += (atom->mask[i] & angle.groupbit) && (atom->mask[i] & walls);
+    const long count = aleisph::count_rows(atom->nlocal, [&](int i) {
+      return (atom->mask[i] & angle.groupbit) && (atom->mask[i] & walls);
+    });
     if (owner_->ranks().sum(count) == 0)
       error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
                  angle.group);
@@ -69,19 +69,21 @@ void FixAleisphTension::evaluate_angles()
 {
   cosine_.assign(owner_->cloud().size(), NEUTRAL);
   std::vector<double> values;
-  tagint outside = 0;
+  const aleisph::Role *role = owner_->cloud().role();
   const bool varies = std::any_of(angles_.begin(), angles_.end(),
                                   [](const Angle &angle) { return !angle.degrees.constant(); });
   const AleisphVariable::Evaluation evaluation(lmp, varies);
   for (const auto &angle : angles_) {
     angle.degrees.evaluate(group->find(angle.group), values);
-    for (int i = 0; i < atom->nlocal; i++) {
-      if (!(atom->mask[i] & angle.groupbit) || !(owner_->cloud().role()[i] & aleisph::WALL))
-        continue;
-      if (!is_angle(values[i])) outside = atom->tag[i];
-      cosine_[i] = std::cos(values[i] * DEGREE);
-    }
-    if (!angle.degrees.constant() && (outside = owner_->ranks().largest(outside)))
+    const aleisph::Rows rows = aleisph::select_rows(atom->nlocal, [&](int i) {
+      return (atom->mask[i] & angle.groupbit) && (role[i] & aleisph::WALL);
+    });
+    aleisph::for_rows(rows, [&](int i) { cosine_[i] = std::cos(values[i] * DEGREE); });
+    if (angle.degrees.constant()) continue;
+    const tagint mine = aleisph::max_rows(
+        rows, [&](int i) { return is_angle(values[i]) ? 0 : atom->tag[i]; }, tagint(0));
+    const tagint outside = owner_->ranks().largest(mine);
+    if (outside)
       error->all(FLERR,
                  "Fix aleisph/tension: variable {} must lie between 0 and 180 degrees, for atom {} "
                  "it does not at step {}",

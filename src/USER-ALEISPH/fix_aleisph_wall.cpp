@@ -153,9 +153,9 @@ void FixAleisphWall::end_of_step()
   double *previous = owner_->fields().wall_velocity();
   if (update->ntimestep == update->firststep + 1)
     owner_->warnings().moved_walls(groupbit, previous);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      for (int a = 0; a < 3; a++) previous[3 * i + a] = atom->v[i][a];
+  aleisph::for_rows(group_rows(), [&](int i) {
+    for (int a = 0; a < 3; a++) previous[3 * i + a] = atom->v[i][a];
+  });
 }
 
 void FixAleisphWall::set_velocity()
@@ -172,9 +172,9 @@ void FixAleisphWall::set_velocity()
   }
   if (domain->dimension == 2 && vw[2] != 0.0)
     error->all(FLERR, "Fix aleisph/wall: velocity in z in a 2d simulation");
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      for (int a = 0; a < 3; a++) atom->v[i][a] = vw[a];
+  aleisph::for_rows(group_rows(), [&](int i) {
+    for (int a = 0; a < 3; a++) atom->v[i][a] = vw[a];
+  });
 }
 
 /* ----------------------------------------------------------------------
@@ -185,18 +185,16 @@ void FixAleisphWall::set_velocity()
 
 int FixAleisphWall::find_normals(const aleisph::Stencil &walls, const double *previous)
 {
-  aleisph::Rows rows;
-  bool first = true;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    if (is_known(i))
-      first = false;
-    else
-      rows.push_back(i);
-  }
-  if (first) fallback_ = contradictory_ = wrong_ = 0;
+  const aleisph::Rows all = group_rows();
+  const aleisph::Rows rows = aleisph::select_rows(all, [this](int i) { return !is_known(i); });
+  if (rows.size() == all.size()) fallback_ = contradictory_ = wrong_ = 0;
   searched_ = true;
   return given_.empty() ? compute_normals(walls, rows, previous) : copy_given_normals(walls, rows);
+}
+
+aleisph::Rows FixAleisphWall::group_rows() const
+{
+  return aleisph::select_rows(atom->nlocal, [this](int i) { return atom->mask[i] & groupbit; });
 }
 
 bool FixAleisphWall::is_known(int i) const
@@ -210,17 +208,19 @@ int FixAleisphWall::copy_given_normals(const aleisph::Stencil &walls, const alei
   int flag, cols;
   double **given = atom->darray[atom->find_custom(given_.c_str(), flag, cols)];
   double *normal = owner_->cloud().normal();
-  tagint bad = 0;
-  for (const int i : rows) {
-    double square = 0.0;
-    for (int a = 0; a < 3; a++) {
-      normal[3 * i + a] = given[i][a];
-      square += given[i][a] * given[i][a];
-    }
-    if (!(std::fabs(square - 1.0) < UNIT_TOLERANCE)) bad = atom->tag[i];
-  }
-  if ((bad = owner_->ranks().largest(bad)))
-    error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", bad);
+  const tagint wrong = aleisph::max_rows(
+      rows,
+      [&](int i) {
+        double square = 0.0;
+        for (int a = 0; a < 3; a++) {
+          normal[3 * i + a] = given[i][a];
+          square += given[i][a] * given[i][a];
+        }
+        return std::fabs(square - 1.0) < UNIT_TOLERANCE ? 0 : atom->tag[i];
+      },
+      tagint(0));
+  const tagint bad = owner_->ranks().largest(wrong);
+  if (bad) error->all(FLERR, "Fix aleisph/wall: given normal of atom {} is not a unit vector", bad);
   aleisph::wall_shapes(walls, rows, owner_->cloud());
   return rows.size();
 }
@@ -234,7 +234,8 @@ int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph
                                                            status);
   fallback_ += count.fallback;
   contradictory_ += count.contradictory.size();
-  for (const int i : count.contradictory) wrong_ = atom->tag[i];
+  wrong_ = aleisph::max_rows(
+      count.contradictory, [this](int i) { return atom->tag[i]; }, wrong_);
   return count.found;
 }
 
@@ -242,13 +243,14 @@ int FixAleisphWall::compute_normals(const aleisph::Stencil &walls, const aleisph
 void FixAleisphWall::require_fluid(const aleisph::Stencil &walls, const aleisph::Rows &rows) const
 {
   const aleisph::Role *role = owner_->cloud().role();
-  tagint bad = 0;
-  for (const int i : rows) {
+  const auto has_fluid = [&](int i) {
     const int *begin = walls.col() + walls.begin(i), *end = walls.col() + walls.end(i);
-    if (std::none_of(begin, end, [role](int j) { return role[j] & aleisph::FLUID; }))
-      bad = atom->tag[i];
-  }
-  if ((bad = owner_->ranks().largest(bad)))
+    return std::any_of(begin, end, [role](int j) { return role[j] & aleisph::FLUID; });
+  };
+  const tagint without = aleisph::max_rows(
+      rows, [&](int i) { return has_fluid(i) ? 0 : atom->tag[i]; }, tagint(0));
+  const tagint bad = owner_->ranks().largest(without);
+  if (bad)
     error->all(FLERR,
                "Fix aleisph/wall: atom {} has no fluid particle within the support, so its normal "
                "is unknown; remove it or use normals given",
@@ -257,15 +259,15 @@ void FixAleisphWall::require_fluid(const aleisph::Stencil &walls, const aleisph:
 
 void FixAleisphWall::check_normals()
 {
-  unknown_ = 0;
-  tagint bad = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit) || is_known(i)) continue;
-    unknown_++;
-    if (!(owner_->cloud().role()[i] & aleisph::DRY)) bad = atom->tag[i];
-  }
+  const aleisph::Role *role = owner_->cloud().role();
+  const aleisph::Rows unknown = aleisph::select_rows(group_rows(),
+                                                     [this](int i) { return !is_known(i); });
+  unknown_ = unknown.size();
+  const tagint wet = aleisph::max_rows(
+      unknown, [&](int i) { return role[i] & aleisph::DRY ? 0 : atom->tag[i]; }, tagint(0));
   watching_ = owner_->ranks().any(unknown_ > 0);
-  if (watching_ && (bad = owner_->ranks().largest(bad)))
+  const tagint bad = watching_ ? owner_->ranks().largest(wet) : 0;
+  if (bad)
     error->all(FLERR,
                "Fix aleisph/wall: other wall particles hide the fluid from atom {}, so its normal "
                "is unknown; remove it or use normals given",

@@ -42,6 +42,7 @@ class FixAleisphWall : public Fix, public aleisph::NormalFinder {
   void parse(int narg, char **arg);
   void add_claims() const;
   void set_velocity();
+  aleisph::Rows group_rows() const;
   bool is_known(int i) const;
   int copy_given_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows);
   int compute_normals(const aleisph::Stencil &walls, const aleisph::Rows &rows,

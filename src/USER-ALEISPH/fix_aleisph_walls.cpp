@@ -45,27 +45,30 @@ void FixAleisph::restore_walls()
 {
   if (scene_->walls().empty()) return;
   const double *stored = fields_->wall_normals();
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(cloud_->role()[i] & aleisph::WALL)) continue;
+  aleisph::for_rows(atom->nlocal, [&](int i) {
+    if (!(cloud_->role()[i] & aleisph::WALL)) return;
     std::copy(stored + COLUMNS * i, stored + COLUMNS * i + 3, cloud_->normal() + 3 * i);
     cloud_->shape()[i] = std::max(0.0, stored[COLUMNS * i + 3]);
-  }
+  });
 }
 
 // of this rank
 bool FixAleisph::walls_changed()
 {
   if (scene_->walls().empty()) return false;
-  bool changed = !walls_located_;
+  const bool first = !walls_located_;
   walls_located_ = true;
+  if (first) return true;
   const double *stored = fields_->wall_normals();
-  aleisph::Rows unknown;
-  for (int i = 0; i < atom->nlocal && !changed; i++) {
-    if (!(cloud_->role()[i] & aleisph::WALL)) continue;
-    const bool known = !is_zero(cloud_->normal() + 3 * i);
-    changed = !is_zero(atom->v[i]) || (!known && stored[COLUMNS * i + 3] != SEARCHED);
-    if (!known) unknown.push_back(i);
-  }
+  const auto is_unknown = [this](int i) {
+    return (cloud_->role()[i] & aleisph::WALL) && is_zero(cloud_->normal() + 3 * i);
+  };
+  const aleisph::Rows unknown = aleisph::select_rows(atom->nlocal, is_unknown);
+  const auto has_changed = [&](int i) {
+    return (cloud_->role()[i] & aleisph::WALL) &&
+        (!is_zero(atom->v[i]) || (is_unknown(i) && stored[COLUMNS * i + 3] != SEARCHED));
+  };
+  const bool changed = aleisph::count_rows(atom->nlocal, has_changed) > 0;
   return changed || (!unknown.empty() && in_sight(unknown));
 }
 
@@ -74,7 +77,7 @@ bool FixAleisph::in_sight(const std::vector<int> &unknown) const
 {
   constexpr aleisph::Role ASKED = 1u << 31;    // none of the roles
   std::vector<aleisph::Role> role(cloud_->role(), cloud_->role() + cloud_->size());
-  for (const int i : unknown) role[i] |= ASKED;
+  aleisph::for_rows(unknown, [&](int i) { role[i] |= ASKED; });
   aleisph::Stencil stencil;
   stencil.build(cloud_->kernel(), atom->nlocal, atom->x,
                 {list_->numneigh, list_->firstneigh, NEIGHMASK}, {role.data(), ASKED, 0});
@@ -88,11 +91,11 @@ void FixAleisph::locate_walls(bool changed)
   if (changed) {
     find_normals();
     double *stored = fields_->wall_normals();
-    for (int i = 0; i < atom->nlocal; i++) {
-      if (!(cloud_->role()[i] & aleisph::WALL)) continue;
+    aleisph::for_rows(atom->nlocal, [&](int i) {
+      if (!(cloud_->role()[i] & aleisph::WALL)) return;
       std::copy(cloud_->normal() + 3 * i, cloud_->normal() + 3 * i + 3, stored + COLUMNS * i);
       stored[COLUMNS * i + 3] = is_zero(cloud_->normal() + 3 * i) ? SEARCHED : cloud_->shape()[i];
-    }
+    });
   }
   ranks_->forward(cloud_->normal(), 3);
   ranks_->forward(cloud_->shape(), 1);
@@ -103,9 +106,10 @@ void FixAleisph::find_normals()
 {
   const double *normal = cloud_->normal();
   const std::vector<double> previous(normal, normal + 3 * atom->nlocal);
-  for (int i = 0; i < atom->nlocal; i++)
+  aleisph::for_rows(atom->nlocal, [this](int i) {
     if (cloud_->role()[i] & aleisph::WALL)
       std::fill_n(cloud_->normal() + 3 * i, 3, cloud_->shape()[i] = 0.0);
+  });
 
   aleisph::Stencil stencil;
   stencil.build(cloud_->kernel(), atom->nlocal, atom->x,
