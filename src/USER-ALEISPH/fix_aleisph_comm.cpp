@@ -26,10 +26,10 @@ void FixAleisph::build_halo()
 {
   const int nlocal = atom->nlocal;
   std::vector<double> source(2 * static_cast<std::size_t>(nlocal + atom->nghost));
-  for (int i = 0; i < nlocal; i++) {
+  aleisph::for_rows(nlocal, [&](int i) {
     source[2 * i] = comm->me;
     source[2 * i + 1] = i;
-  }
+  });
   halo_plan_ = source.data();
   {
     aleisph::Timers::Scope scope(*timers_, aleisph::Part::COMM);

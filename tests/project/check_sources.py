@@ -8,6 +8,7 @@ dependencies  numerics (aleisph_*) include only numerics, the standard library a
 headers       file heads: the licence line; include guards LMP_<FILE NAME>_H
 ascii         source, scripts, examples and documentation are plain ASCII
 names         no header of ours has the name of one of LAMMPS' headers
+rows          no loop over particles is written by hand: aleisph_rows.h has for_rows and its kind
 Prints file:line of every violation; the exit status is 1 if there is one.
 """
 
@@ -25,6 +26,9 @@ OWNER = {"fix_aleisph.h", "aleisph_halo_owner.h", "aleisph_halo_checks.h", "alei
          "aleisph_halo_variable.h"}
 LICENCE = "SPDX-License-Identifier: GPL-2.0-only"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+# i is the index of particles; matrices and vectors have loops of their own kind, over n entries
+ROW_LOOP = re.compile(r"for \((const )?(int|auto) i : |"
+                      r"for \(int (\w+) = 0; \3 < [^;]*(nlocal|owned\(\))")
 STYLE = re.compile(r"^(fix|compute)_.*\.h$")
 CODE = (".h", ".cpp", ".py", ".sh", ".cmake")
 TEXT = CODE + (".rst", ".md", ".txt", ".json", ".aleisph", ".lmp")
@@ -113,7 +117,17 @@ def names():
             yield path, 1, "does not carry the package in its name"
 
 
-RULES = {"dependencies": dependencies, "headers": headers, "ascii": ascii_only, "names": names}
+def rows():
+    for path in package_files():
+        if path.name == "aleisph_rows.h":
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if ROW_LOOP.search(line):
+                yield path, number, "runs over particles by hand: use for_rows, sum_rows, ..."
+
+
+RULES = {"dependencies": dependencies, "headers": headers, "ascii": ascii_only, "names": names,
+         "rows": rows}
 
 
 def main():
