@@ -19,20 +19,30 @@ WallSuspects wall_suspects(const Cloud &cloud)
 {
   const Stencil &s = cloud.stencil();
   const double d = cloud.spacing();
-  WallSuspects found;
-  for (const int i : cloud.wall()) {
+  const auto is_facing = [&](int i) {
     const Eigen::Vector3d n = at(cloud.normal(), i);
-    double nearest = cloud.kernel().support();
     for (int k = s.begin(i); k < s.end(i); k++) {
       const int j = s.col()[k];
-      if (!(cloud.role()[j] & WALL)) continue;
-      nearest = std::min(nearest, s.r()[k]);
       const bool across = std::abs(direction(s, k).dot(n)) > ACROSS;
-      if (across && n.dot(at(cloud.normal(), j)) < OPPOSITE) found.facing = i;
+      if ((cloud.role()[j] & WALL) && across && n.dot(at(cloud.normal(), j)) < OPPOSITE)
+        return true;
     }
-    if (nearest < WallSuspects::DENSE * d) found.dense = i;
-    if (nearest > WallSuspects::SPARSE * d) found.sparse = i;
-  }
+    return false;
+  };
+  const auto nearest = [&](int i) {
+    double r = cloud.kernel().support();
+    for (int k = s.begin(i); k < s.end(i); k++)
+      if (cloud.role()[s.col()[k]] & WALL) r = std::min(r, s.r()[k]);
+    return r;
+  };
+  const auto last = [&](const auto &suspect) {
+    return max_rows(
+        cloud.wall(), [&suspect](int i) { return suspect(i) ? i : -1; }, -1);
+  };
+  WallSuspects found;
+  found.facing = last(is_facing);
+  found.dense = last([&](int i) { return nearest(i) < WallSuspects::DENSE * d; });
+  found.sparse = last([&](int i) { return nearest(i) > WallSuspects::SPARSE * d; });
   return found;
 }
 

@@ -61,9 +61,8 @@ void AleisphWarnings::body_force()
   const auto &cloud = owner_.cloud();
   const auto &s = cloud.stencil();
   const double *f = atom->nmax ? &atom->f[0][0] : nullptr;
-  tagint found = 0;
-  for (const int i : cloud.wall()) {
-    if (cloud.role()[i] & aleisph::DIRICHLET) continue;
+  const auto lacks_force = [&](int i) {
+    if (cloud.role()[i] & aleisph::DIRICHLET) return false;
     Vector3d sum = Vector3d::Zero();
     double size = 0.0;
     for (int k = s.begin(i); k < s.end(i); k++) {
@@ -74,11 +73,12 @@ void AleisphWarnings::body_force()
     }
     const Vector3d n = aleisph::at(cloud.normal(), i);
     const double fluid = std::abs(sum.dot(n)) / std::max(1, s.end(i) - s.begin(i));
-    if (sum.norm() > SAME_FORCE * size && std::abs(sum.dot(n)) > IN_WALL * size &&
-        std::abs(aleisph::at(f, i).dot(n)) < MISSING * fluid)
-      found = atom->tag[i];
-  }
-  found = owner_.ranks().largest(found);
+    return sum.norm() > SAME_FORCE * size && std::abs(sum.dot(n)) > IN_WALL * size &&
+        std::abs(aleisph::at(f, i).dot(n)) < MISSING * fluid;
+  };
+  const tagint mine = aleisph::max_rows(
+      cloud.wall(), [&](int i) { return lacks_force(i) ? atom->tag[i] : 0; }, tagint(0));
+  const tagint found = owner_.ranks().largest(mine);
   if (found && first("force") && comm->me == 0)
     error->warning(
         FLERR,
@@ -90,20 +90,22 @@ void AleisphWarnings::body_force()
 
 void AleisphWarnings::moved_walls(int groupbit, const double *previous)
 {
-  tagint found = 0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double per_mass = update->dt / owner_.particle_mass();
+  const double per_mass = update->dt / owner_.particle_mass();
+  const auto falls = [&](int i) {
+    if (!(atom->mask[i] & groupbit)) return false;
     for (int a = 0; a < 3; a++) {
       const double fall = per_mass * atom->f[i][a];
       const double change = atom->v[i][a] - previous[3 * i + a];
       const double rounding = SAME_CHANGE * (std::abs(fall) + std::abs(atom->v[i][a]));
       if (fall != 0.0 && change != 0.0 && std::abs(change - fall) <= rounding &&
           std::abs(fall) > rounding)
-        found = atom->tag[i];
+        return true;
     }
-  }
-  found = owner_.ranks().largest(found);
+    return false;
+  };
+  const tagint mine = aleisph::max_rows(
+      atom->nlocal, [&](int i) { return falls(i) ? atom->tag[i] : 0; }, tagint(0));
+  const tagint found = owner_.ranks().largest(mine);
   if (found && first("fall") && comm->me == 0)
     error->warning(
         FLERR,
@@ -149,13 +151,11 @@ void AleisphWarnings::time_step()
   first("step");
 
   const double *v = atom->nmax ? &atom->v[0][0] : nullptr;
-  double fastest = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) fastest = std::max(fastest, aleisph::at(v, i).norm());
-  const double speed = owner_.ranks().max(fastest);
-  tagint found = 0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (aleisph::at(v, i).norm() == speed) found = atom->tag[i];
-  found = owner_.ranks().largest(found);
+  const auto speed = [v](int i) { return aleisph::at(v, i).norm(); };
+  const double highest = owner_.ranks().max(aleisph::max_rows(atom->nlocal, speed, 0.0));
+  const tagint mine = aleisph::max_rows(
+      atom->nlocal, [&](int i) { return speed(i) == highest ? atom->tag[i] : 0; }, tagint(0));
+  const tagint found = owner_.ranks().largest(mine);
   const double courant = dt / limits[StepBound::CFL];
   if (comm->me == 0)
     error->warning(
