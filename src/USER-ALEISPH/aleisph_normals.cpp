@@ -221,12 +221,13 @@ NormalCount wall_normals(const Stencil &walls, const Rows &rows, const double *p
 bool normals_in_sight(const Stencil &walls, const Rows &unknown, const Cloud &cloud)
 {
   const Wall wall{walls, cloud.role(), cloud.spacing(), cloud.normal(), cloud.shape()};
-  return std::any_of(unknown.begin(), unknown.end(), [&](int i) {
+  const int found = count_rows(unknown, [&](int i) {
     // without fluid nothing has changed for it
     bool fluid = false;
     for (int k = walls.begin(i); k < walls.end(i) && !fluid; k++) fluid = wall.is_fluid(k);
     return fluid && find(wall, i, Vec3::Zero()).status != NormalStatus::UNKNOWN;
   });
+  return found > 0;
 }
 
 void wall_shapes(const Stencil &walls, const Rows &rows, Cloud &cloud)

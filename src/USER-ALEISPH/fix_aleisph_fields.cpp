@@ -98,11 +98,13 @@ void AleisphFields::require_finite() const
     int flag, cols;
     const int index = atom->find_custom(field, flag, cols);
     if (index < 0) continue;
-    tagint bad = 0;
-    for (int i = 0; i < atom->nlocal; i++)
-      for (int a = 0; a < std::max(cols, 1); a++)
-        if (!std::isfinite(cols ? atom->darray[index][i][a] : atom->dvector[index][i]))
-          bad = atom->tag[i];
+    const auto is_finite = [&](int i) {
+      const double *values = cols ? atom->darray[index][i] : &atom->dvector[index][i];
+      return std::all_of(values, values + std::max(cols, 1),
+                         [](double value) { return std::isfinite(value); });
+    };
+    const tagint bad = aleisph::max_rows(
+        atom->nlocal, [&](int i) { return is_finite(i) ? 0 : atom->tag[i]; }, tagint(0));
     tagint worst = 0;
     MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
     if (worst)
