@@ -242,13 +242,14 @@ double FixAleisphPPE::largest_rounding() const
 {
   const double *vstar = owner_->fields().predicted().owned();
   const double *p = owner_->fields().pressure().owned();
-  double largest[2] = {0.0, 0.0};    // |v*|^2, |p|
-  for (int i = 0; i < atom->nlocal; i++) {
-    double square = 0.0;
-    for (int a = 0; a < 3; a++) square += vstar[3 * i + a] * vstar[3 * i + a];
-    largest[0] = std::max(largest[0], square);
-    largest[1] = std::max(largest[1], std::fabs(p[i]));
-  }
+  const auto square = [vstar](int i) {
+    double sum = 0.0;
+    for (int a = 0; a < 3; a++) sum += vstar[3 * i + a] * vstar[3 * i + a];
+    return sum;
+  };
+  double largest[2] = {aleisph::max_rows(atom->nlocal, square, 0.0),
+                       aleisph::max_rows(
+                           atom->nlocal, [p](int i) { return std::fabs(p[i]); }, 0.0)};
   owner_->ranks().max(2, largest);
   return ROUNDING *
       (owner_->fluid().rho0 * owner_->cloud().spacing() / update->dt * std::sqrt(largest[0]) +

@@ -202,10 +202,10 @@ void FixAleisphPredictor::check_other_integrators() const
 {
   for (const Fix *fix : modify->get_fix_list()) {
     if (!fix->time_integrate || fix == this) continue;
-    bool shared = false;
-    for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit)) shared = true;
-    if (owner_->ranks().any(shared))
+    const int shared = aleisph::count_rows(atom->nlocal, [&](int i) {
+      return (atom->mask[i] & groupbit) && (atom->mask[i] & fix->groupbit);
+    });
+    if (owner_->ranks().any(shared > 0))
       error->all(FLERR, "Fix {} ({}) would integrate fluid atoms as well as fix {} ({})", fix->id,
                  fix->style, id, style);
   }
@@ -235,9 +235,10 @@ void FixAleisphPredictor::initial_integrate(int)
                                  : owner_->fields().velocity().owned();
   const double *shift = shifted() ? owner_->fields().property(SHIFT) : nullptr;
   const int dim = domain->dimension;
-  for (const int i : owner_->cloud().fluid())
+  aleisph::for_rows(owner_->cloud().fluid(), [&](int i) {
     for (int a = 0; a < dim; a++)
       x[i][a] += update->dt * (w[3 * i + a] + (shift ? shift[3 * i + a] : 0.0));
+  });
 }
 
 void FixAleisphPredictor::end_of_step()
@@ -255,7 +256,7 @@ void FixAleisphPredictor::evaluate_transport()
   const AleisphVariable::Evaluation evaluation(lmp, varies);
   for (int a = 0; a < domain->dimension; a++) {
     transport[a].evaluate(igroup, values);
-    for (int i = 0; i < atom->nlocal; i++) w[3 * i + a] = values[i];
+    aleisph::for_rows(atom->nlocal, [&](int i) { w[3 * i + a] = values[i]; });
   }
   owner_->require_finite(w, "Fix aleisph/predictor", "transport velocity");
 }
@@ -298,16 +299,15 @@ double FixAleisphPredictor::viscous_number() const
 double FixAleisphPredictor::largest_norm(const aleisph::Rows &rows, const double *v,
                                          const double *w) const
 {
-  double mine = 0.0;
-  for (const int i : rows) {
-    double square = 0.0;
+  const auto square = [&](int i) {
+    double sum = 0.0;
     for (int k = 3 * i; k < 3 * i + 3; k++) {
       const double component = v[k] + (w ? w[k] : 0.0);
-      square += component * component;
+      sum += component * component;
     }
-    mine = std::max(mine, square);
-  }
-  return std::sqrt(owner_->ranks().max(mine));
+    return sum;
+  };
+  return std::sqrt(owner_->ranks().max(aleisph::max_rows(rows, square, 0.0)));
 }
 
 // of fluid, particles and walls: a wall that starts to move meets fluid at rest

@@ -54,17 +54,20 @@ void FixAleisphPredictor::predict_implicit()
 
   add_viscosity(1.0 - params_.theta, a_);
   std::vector<double> &rhs = a_;
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++)
       rhs[k] = v[k] + dt * (a_[k] - grad_p_[k] / owner_->fluid().rho0);
-  for (const int i : cloud.wall())
+  });
+  aleisph::for_rows(cloud.wall(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) rhs[k] = v[k];
+  });
 
   if (viscous_version_ != cloud.version() || viscous_dt_ != dt) assemble_viscous();
   solve_viscous(rhs);
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++)
       vstar[k] = rhs[k] + dt / owner_->fluid().rho0 * grad_p_[k];
+  });
 }
 
 void FixAleisphPredictor::assemble_viscous()
@@ -96,10 +99,10 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
   std::vector<double> b(atom->nlocal), u(owner_->cloud().size());
   viscous_iterations_ = 0;
   for (int a = 0; a < domain->dimension; a++) {
-    for (int i = 0; i < atom->nlocal; i++) {
+    aleisph::for_rows(atom->nlocal, [&](int i) {
       b[i] = rhs[3 * i + a];
       u[i] = v[3 * i + a];
-    }
+    });
     const auto report = solver_->solve(viscous_, *owner_, b.data(), u.data(), krylov);
     viscous_iterations_ += report.iterations;
     if (report.status == aleisph::SolveStatus::NOT_FINITE)
@@ -110,6 +113,6 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
                  "iterations, residual {:.4g}, tolerance {:.4g}; reduce the time step",
                  update->ntimestep, to_string(report.status), report.iterations, report.residual,
                  krylov.atol);
-    for (int i = 0; i < atom->nlocal; i++) rhs[3 * i + a] = u[i];
+    aleisph::for_rows(atom->nlocal, [&](int i) { rhs[3 * i + a] = u[i]; });
   }
 }

@@ -35,15 +35,17 @@ void FixAleisphPredictor::setup(int)
   auto &cloud = owner_->cloud();
   body_acceleration(a_);
   aleisph::convection(cloud, cloud.fluid(), v, v, work_.data());
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
+  });
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
   add_other_terms(a_);
   double *vstar = owner_->fields().predicted().edit();
   for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
-    for (const int i : *rows)
+    aleisph::for_rows(*rows, [&](int i) {
       for (int a = 0; a < 3; a++) vstar[3 * i + a] = update->dt * a_[3 * i + a];
+    });
 }
 
 void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
@@ -54,8 +56,9 @@ void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
   const auto &cloud = owner_->cloud();
   const double per_mass = 1.0 / owner_->particle_mass();
   for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
-    for (const int i : *rows)
+    aleisph::for_rows(*rows, [&](int i) {
       for (int c = 0; c < domain->dimension; c++) a[3 * i + c] = per_mass * atom->f[i][c];
+    });
 }
 
 void FixAleisphPredictor::add_convection(std::vector<double> &a)
@@ -71,8 +74,9 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
     c = relative_.data();
   }
   aleisph::convection(cloud, cloud.fluid(), c, v, work_.data());
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
+  });
 }
 
 void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
@@ -80,8 +84,9 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
   if (nu_ == 0.0 || share == 0.0) return;
   auto &cloud = owner_->cloud();
   aleisph::laplacian(cloud, cloud.fluid(), owner_->fields().velocity().all(), work_.data());
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += share * nu_ * work_[k];
+  });
   owner_->tally().viscous_passes++;
 }
 
@@ -95,17 +100,17 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 {
   if (nu_ == 0.0) return;
   auto &cloud = owner_->cloud();
-  aleisph::Rows rows;
-  for (const int i : cloud.wall())
-    if (cloud.role()[i] & aleisph::CURLCURL) rows.push_back(i);
+  const aleisph::Rows rows = aleisph::select_rows(
+      cloud.wall(), [&](int i) { return cloud.role()[i] & aleisph::CURLCURL; });
   if (!owner_->ranks().any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
   aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
   owner_->ranks().forward(vorticity.data(), 3);
   aleisph::curl(cloud, rows, vorticity.data(), work_.data());
-  for (const int i : rows)
+  aleisph::for_rows(rows, [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
+  });
 }
 
 void FixAleisphPredictor::add_other_terms(std::vector<double> &a)
@@ -139,8 +144,9 @@ void FixAleisphPredictor::predict_explicit()
   extrapolate(a_);
   const double *v = owner_->fields().velocity().all();
   double *vstar = owner_->fields().predicted().edit();
-  for (const int i : cloud.fluid())
+  aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
+  });
   predict_walls();
 }
 
@@ -155,6 +161,7 @@ void FixAleisphPredictor::predict_walls()
   const auto &wall = owner_->cloud().wall();
   const double *before = owner_->fields().wall_velocity();
   double *vstar = owner_->fields().predicted().edit();
-  for (const int i : wall)
+  aleisph::for_rows(wall, [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
+  });
 }

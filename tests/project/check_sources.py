@@ -28,7 +28,7 @@ LICENCE = "SPDX-License-Identifier: GPL-2.0-only"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # i is the index of particles; matrices and vectors have loops of their own kind, over n entries
 ROW_LOOP = re.compile(r"for \((const )?(int|auto) i : |"
-                      r"for \(int (\w+) = 0; \3 < [^;]*(nlocal|owned\(\))")
+                      r"for \(int (\w+) = 0; \3 < [^;]*(nlocal|owned\(\)|\bs_?\.rows\(\))")
 STYLE = re.compile(r"^(fix|compute)_.*\.h$")
 CODE = (".h", ".cpp", ".py", ".sh", ".cmake")
 TEXT = CODE + (".rst", ".md", ".txt", ".json", ".aleisph", ".lmp")
