@@ -10,8 +10,8 @@
    GB/s.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_csr.h"
-#include "aleisph_krylov_loops.h"
+#include "aleisph_solve_csr.h"
+#include "aleisph_solve_krylov_loops.h"
 
 #include <algorithm>
 #include <cmath>

@@ -24,7 +24,7 @@
 #define LMP_ALEISPH_HALO_FIELDS_H
 
 #include "aleisph_fields.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_ppe.h"
 #include "pointers.h"
 
 #include <cstdint>

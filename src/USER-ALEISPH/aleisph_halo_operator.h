@@ -11,9 +11,9 @@
 #ifndef LMP_ALEISPH_HALO_OPERATOR_H
 #define LMP_ALEISPH_HALO_OPERATOR_H
 
-#include "aleisph_csr.h"
 #include "aleisph_halo_owner.h"
-#include "aleisph_krylov.h"
+#include "aleisph_solve_csr.h"
+#include "aleisph_solve_krylov.h"
 
 namespace LAMMPS_NS {
 

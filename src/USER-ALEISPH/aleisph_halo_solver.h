@@ -12,9 +12,9 @@
 #define LMP_ALEISPH_HALO_SOLVER_H
 
 #include "aleisph_halo_operator.h"
-#include "aleisph_linear_solver.h"
 #include "aleisph_mpi_amg.h"
 #include "aleisph_mpi_transfer.h"
+#include "aleisph_solve_linear.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"

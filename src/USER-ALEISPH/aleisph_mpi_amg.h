@@ -12,7 +12,7 @@
 #ifndef LMP_ALEISPH_MPI_AMG_H
 #define LMP_ALEISPH_MPI_AMG_H
 
-#include "aleisph_precond.h"
+#include "aleisph_solve_precond.h"
 
 #include <mpi.h>
 

@@ -9,10 +9,10 @@
 #define LMP_ALEISPH_MPI_RANKS_H
 
 #include "aleisph_cloud.h"
-#include "aleisph_csr.h"
 #include "aleisph_fields.h"
-#include "aleisph_krylov.h"
 #include "aleisph_mpi_halo.h"
+#include "aleisph_solve_csr.h"
+#include "aleisph_solve_krylov.h"
 #include "aleisph_timers.h"
 
 #include <vector>

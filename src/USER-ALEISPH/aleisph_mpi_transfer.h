@@ -7,8 +7,8 @@
 #ifndef LMP_ALEISPH_MPI_TRANSFER_H
 #define LMP_ALEISPH_MPI_TRANSFER_H
 
-#include "aleisph_linear_solver.h"
 #include "aleisph_mpi_sparse.h"
+#include "aleisph_solve_linear.h"
 
 #include <memory>
 

@@ -8,7 +8,7 @@
 #include "aleisph_shift.h"
 
 #include "aleisph_cloud.h"
-#include "aleisph_images.h"
+#include "aleisph_shift_images.h"
 #include "aleisph_surface_shape.h"
 #include "aleisph_vectors.h"
 

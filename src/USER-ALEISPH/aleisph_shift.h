@@ -26,7 +26,7 @@
 
    The full-support sums (accurate density; grad C) include images of the
    wall particles, since walls are a single layer, and the density also
-   images of the surface; see aleisph_images.h. On a lattice at h = 1.2 d
+   images of the surface; see aleisph_shift_images.h. On a lattice at h = 1.2 d
    eps then vanishes to rounding in the bulk, next to walls, on convex edges
    (2e-5 off their ends in 3d) and in all rows of a flat surface. In concave
    corners it is -4.0e-4 (2d; 3d: -2.3e-4 along edges, -7.0e-4 in corners):

@@ -8,7 +8,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_record.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_ppe.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"

@@ -17,9 +17,9 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 #ifndef LMP_FIX_ALEISPH_PPE_H
 #define LMP_FIX_ALEISPH_PPE_H
 
-#include "aleisph_csr.h"
-#include "aleisph_krylov.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_csr.h"
+#include "aleisph_solve_krylov.h"
+#include "aleisph_solve_ppe.h"
 #include "fix.h"
 
 #include <memory>

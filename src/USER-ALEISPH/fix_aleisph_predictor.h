@@ -21,9 +21,9 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 #ifndef LMP_FIX_ALEISPH_PREDICTOR_H
 #define LMP_FIX_ALEISPH_PREDICTOR_H
 
-#include "aleisph_csr.h"
 #include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
+#include "aleisph_solve_csr.h"
 #include "fix.h"
 
 #include <memory>

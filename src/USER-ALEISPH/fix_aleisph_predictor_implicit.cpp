@@ -10,7 +10,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_solver.h"
-#include "aleisph_viscous_solve.h"
+#include "aleisph_solve_viscous.h"
 #include "atom.h"
 #include "domain.h"
 #include "error.h"

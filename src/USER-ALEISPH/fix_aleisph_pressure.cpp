@@ -8,7 +8,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_nearest.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_ppe.h"
 #include "aleisph_vectors.h"
 #include "atom.h"
 #include "domain.h"

@@ -7,7 +7,7 @@
 #include "fix_aleisph_surface.h"
 
 #include "aleisph_halo_owner.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_ppe.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"

@@ -7,7 +7,7 @@
 #include "fix_aleisph_wall.h"
 
 #include "aleisph_halo_owner.h"
-#include "aleisph_normals.h"
+#include "aleisph_wall_normals.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"

@@ -10,8 +10,8 @@
 #include "fix_aleisph.h"
 
 #include "aleisph_halo_owner.h"
-#include "aleisph_normals.h"
 #include "aleisph_wall_dry.h"
+#include "aleisph_wall_normals.h"
 #include "atom.h"
 #include "neigh_list.h"
 

@@ -30,8 +30,8 @@ COMPUTE_SECTIONS = ("Syntax", "Examples", "Description", "Output info", "Restric
                     "Related commands", "Default")
 # names that a style takes from a table of the numerics
 TABLES = {"fix_aleisph": ["aleisph_kernel.cpp", "aleisph_fluid.cpp"],
-          "fix_aleisph_ppe": ["aleisph_precond.cpp"],
-          "fix_aleisph_predictor": ["aleisph_precond.cpp"]}
+          "fix_aleisph_ppe": ["aleisph_solve_precond.cpp"],
+          "fix_aleisph_predictor": ["aleisph_solve_precond.cpp"]}
 
 LITERALS = re.compile(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*')
 WORD = re.compile(r"[a-z0-9][a-z0-9/-]*")

@@ -4,10 +4,10 @@
    LAMMPS' own in simulations.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_mpi_halo.h"
 #include "atom.h"
 #include "comm.h"
-#include "aleisph_halo_owner.h"
 #include "script.h"
 #include "simulation.h"
 

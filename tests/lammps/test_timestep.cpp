@@ -4,10 +4,10 @@
    time, and runs that go on.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_halo_owner.h"
 #include "aleisph_lattice.h"
 #include "aleisph_timestep.h"
 #include "errors.h"
-#include "aleisph_halo_owner.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"

@@ -4,9 +4,9 @@
    solve; on matrices that it cannot be built for.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_linear_solver.h"
 #include "aleisph_mpi_amg.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_linear.h"
+#include "aleisph_solve_ppe.h"
 #include "cloud.h"
 #include "rank_matrix.h"
 #include "scenes.h"

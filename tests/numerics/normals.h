@@ -4,7 +4,7 @@
 #ifndef ALEISPH_TEST_NORMALS_H
 #define ALEISPH_TEST_NORMALS_H
 
-#include "aleisph_normals.h"
+#include "aleisph_wall_normals.h"
 #include "scenes.h"
 
 #include <string>

@@ -10,7 +10,7 @@
 #define ALEISPH_TEST_PROJECTION_H
 
 #include "aleisph_guards.h"
-#include "aleisph_ppe.h"
+#include "aleisph_solve_ppe.h"
 #include "scenes.h"
 #include "solver.h"
 

@@ -6,9 +6,9 @@
 #ifndef ALEISPH_TEST_SOLVER_H
 #define ALEISPH_TEST_SOLVER_H
 
-#include "aleisph_csr.h"
-#include "aleisph_krylov.h"
-#include "aleisph_precond.h"
+#include "aleisph_solve_csr.h"
+#include "aleisph_solve_krylov.h"
+#include "aleisph_solve_precond.h"
 
 #include <Eigen/Sparse>
 #include <vector>

@@ -4,7 +4,7 @@
    with surfaces and walls, and the images beyond them.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_images.h"
+#include "aleisph_shift_images.h"
 #include "shifting.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
    replaced by Jacobi.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_linear_solver.h"
+#include "aleisph_solve_linear.h"
 #include "solver.h"
 
 #include <gtest/gtest.h>

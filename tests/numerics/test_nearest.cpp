@@ -7,10 +7,10 @@
 #include "aleisph_nearest.h"
 
 #include "aleisph_guards.h"
-#include "aleisph_images.h"
-#include "aleisph_normals.h"
+#include "aleisph_shift_images.h"
 #include "aleisph_surface_hold.h"
 #include "aleisph_tension_contact_walls.h"
+#include "aleisph_wall_normals.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

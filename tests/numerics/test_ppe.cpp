@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_ppe.h"
+#include "aleisph_solve_ppe.h"
 #include "normals.h"
 #include "scenes.h"
 #include "solver.h"

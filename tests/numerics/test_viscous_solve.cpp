@@ -5,7 +5,7 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_scene.h"
-#include "aleisph_viscous_solve.h"
+#include "aleisph_solve_viscous.h"
 #include "cloud.h"
 
 #include <gtest/gtest.h>

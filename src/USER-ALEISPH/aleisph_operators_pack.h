@@ -6,8 +6,8 @@
    the compiler uses. Vector extension of GCC and Clang.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_PACK_H
-#define LMP_ALEISPH_PACK_H
+#ifndef LMP_ALEISPH_OPERATORS_PACK_H
+#define LMP_ALEISPH_OPERATORS_PACK_H
 
 #include "aleisph_stencil.h"
 

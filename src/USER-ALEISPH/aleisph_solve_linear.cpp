@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_linear_solver.h"
+#include "aleisph_solve_linear.h"
 
 #include <algorithm>
 #include <utility>

@@ -12,11 +12,11 @@
    and numbers of iterations, never on measured time: runs are reproducible.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_LINEAR_SOLVER_H
-#define LMP_ALEISPH_LINEAR_SOLVER_H
+#ifndef LMP_ALEISPH_SOLVE_LINEAR_H
+#define LMP_ALEISPH_SOLVE_LINEAR_H
 
-#include "aleisph_krylov.h"
-#include "aleisph_precond.h"
+#include "aleisph_solve_krylov.h"
+#include "aleisph_solve_precond.h"
 
 #include <cstdint>
 #include <functional>

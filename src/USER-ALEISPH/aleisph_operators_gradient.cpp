@@ -8,7 +8,7 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_operators.h"
-#include "aleisph_pack.h"
+#include "aleisph_operators_pack.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

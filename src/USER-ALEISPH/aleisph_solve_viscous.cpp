@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_viscous_solve.h"
+#include "aleisph_solve_viscous.h"
 
 #include "aleisph_cloud.h"
 #include "aleisph_scene.h"

@@ -7,8 +7,8 @@
    exchange of the operator.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_KRYLOV_H
-#define LMP_ALEISPH_KRYLOV_H
+#ifndef LMP_ALEISPH_SOLVE_KRYLOV_H
+#define LMP_ALEISPH_SOLVE_KRYLOV_H
 
 #include <vector>
 

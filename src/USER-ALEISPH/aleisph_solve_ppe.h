@@ -16,11 +16,11 @@
    p_i = p_surf.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_PPE_H
-#define LMP_ALEISPH_PPE_H
+#ifndef LMP_ALEISPH_SOLVE_PPE_H
+#define LMP_ALEISPH_SOLVE_PPE_H
 
-#include "aleisph_csr.h"
 #include "aleisph_operators.h"
+#include "aleisph_solve_csr.h"
 
 namespace aleisph {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* ----------------------------------------------------------------------
    Laplacian weights, Morikawa, Tsuji & Asai eqs 11-14 (the systems are solved
-   in aleisph_laplacian_system.cpp), and their fallback, the row of Morris,
+   in aleisph_operators_laplacian_system.cpp), and their fallback, the row of Morris,
    Fox & Zhu, J. Comput. Phys. 136 (1997) 214.
 ------------------------------------------------------------------------- */
 
 #include "aleisph_cloud.h"
-#include "aleisph_laplacian_system.h"
 #include "aleisph_lattice.h"
 #include "aleisph_operators.h"
+#include "aleisph_operators_laplacian_system.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
    outlive the matrix. Columns may be ghosts (col >= rows).
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_CSR_H
-#define LMP_ALEISPH_CSR_H
+#ifndef LMP_ALEISPH_SOLVE_CSR_H
+#define LMP_ALEISPH_SOLVE_CSR_H
 
 #include <vector>
 

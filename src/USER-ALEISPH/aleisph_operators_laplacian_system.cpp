@@ -10,9 +10,9 @@
    again, with pivoting.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_laplacian_system.h"
+#include "aleisph_operators_laplacian_system.h"
 
-#include "aleisph_pack.h"
+#include "aleisph_operators_pack.h"
 #include "aleisph_vectors.h"
 
 #include <Eigen/Dense>

@@ -6,10 +6,10 @@
      others  v_i
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_VISCOUS_SOLVE_H
-#define LMP_ALEISPH_VISCOUS_SOLVE_H
+#ifndef LMP_ALEISPH_SOLVE_VISCOUS_H
+#define LMP_ALEISPH_SOLVE_VISCOUS_H
 
-#include "aleisph_csr.h"
+#include "aleisph_solve_csr.h"
 
 #include <vector>
 

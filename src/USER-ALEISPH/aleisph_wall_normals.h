@@ -20,8 +20,8 @@
    convex edge.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_NORMALS_H
-#define LMP_ALEISPH_NORMALS_H
+#ifndef LMP_ALEISPH_WALL_NORMALS_H
+#define LMP_ALEISPH_WALL_NORMALS_H
 
 #include "aleisph_cloud.h"
 

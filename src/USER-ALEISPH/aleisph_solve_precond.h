@@ -6,11 +6,11 @@
    amg, is in aleisph_mpi_amg.h.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_PRECOND_H
-#define LMP_ALEISPH_PRECOND_H
+#ifndef LMP_ALEISPH_SOLVE_PRECOND_H
+#define LMP_ALEISPH_SOLVE_PRECOND_H
 
-#include "aleisph_csr.h"
-#include "aleisph_krylov.h"
+#include "aleisph_solve_csr.h"
+#include "aleisph_solve_krylov.h"
 
 #include <memory>
 #include <string>

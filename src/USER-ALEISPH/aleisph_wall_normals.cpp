@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_normals.h"
+#include "aleisph_wall_normals.h"
 
 #include "aleisph_wall_fan.h"
 

@@ -4,11 +4,11 @@
    one loop, so that each vector is read from memory as few times as possible.
    Sums have four parts in a fixed order: with one part each addition would wait
    for the one before, and a compiler may not reorder them.
-   Names as in aleisph_krylov.cpp; no two arguments overlap.
+   Names as in aleisph_solve_krylov.cpp; no two arguments overlap.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_KRYLOV_LOOPS_H
-#define LMP_ALEISPH_KRYLOV_LOOPS_H
+#ifndef LMP_ALEISPH_SOLVE_KRYLOV_LOOPS_H
+#define LMP_ALEISPH_SOLVE_KRYLOV_LOOPS_H
 
 #include <cstddef>
 

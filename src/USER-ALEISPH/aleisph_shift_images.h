@@ -19,8 +19,8 @@
    near the rim of the support may remain.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_IMAGES_H
-#define LMP_ALEISPH_IMAGES_H
+#ifndef LMP_ALEISPH_SHIFT_IMAGES_H
+#define LMP_ALEISPH_SHIFT_IMAGES_H
 
 #include "aleisph_cloud.h"
 

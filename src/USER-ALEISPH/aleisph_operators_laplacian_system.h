@@ -17,8 +17,8 @@
    -(2 id + m(I) m(I)^t)/(D + 2), whose condition number is (D + 2)/2.
 ------------------------------------------------------------------------- */
 
-#ifndef LMP_ALEISPH_LAPLACIAN_SYSTEM_H
-#define LMP_ALEISPH_LAPLACIAN_SYSTEM_H
+#ifndef LMP_ALEISPH_OPERATORS_LAPLACIAN_SYSTEM_H
+#define LMP_ALEISPH_OPERATORS_LAPLACIAN_SYSTEM_H
 
 #include "aleisph_operators.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_images.h"
+#include "aleisph_shift_images.h"
 
 #include "aleisph_nearest.h"
 #include "aleisph_vectors.h"

@@ -5,9 +5,9 @@
 ------------------------------------------------------------------------- */
 
 #include "aleisph_cloud.h"
-#include "aleisph_images.h"
 #include "aleisph_seen.h"
 #include "aleisph_shift.h"
+#include "aleisph_shift_images.h"
 #include "aleisph_surface_shape.h"
 
 #include <cmath>

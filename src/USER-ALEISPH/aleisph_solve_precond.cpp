@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_precond.h"
+#include "aleisph_solve_precond.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,9 +19,9 @@
    second is not.
 ------------------------------------------------------------------------- */
 
-#include "aleisph_krylov.h"
+#include "aleisph_solve_krylov.h"
 
-#include "aleisph_krylov_loops.h"
+#include "aleisph_solve_krylov_loops.h"
 
 #include <algorithm>
 #include <cmath>

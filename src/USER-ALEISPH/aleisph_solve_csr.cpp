@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-#include "aleisph_csr.h"
+#include "aleisph_solve_csr.h"
 
 #include <algorithm>
 #include <utility>
