@@ -65,7 +65,7 @@ class DensityShift {
 
   Vec operator()(int i) const
   {
-    const Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
+    Vec dr = c_.params.coefficient * c_.kernel.h() * spread(i);
     if (c_.params.published || !c_.on_surface(i)) return dr;
     const bool wall = c_.neighbours.any(i, WALL);
     const double corner = wall ? 0.0 : shape_.corner(shape_.asymmetry(c_.s, i));

@@ -24,7 +24,7 @@ Vec3 without_parts_into_walls(const Vec3 &v, const std::vector<Vec3> &normals)
   };
   if (allowed(v)) return v;
   for (const Vec3 &n : normals) {
-    const Vec3 along = v - v.dot(n) * n;
+    Vec3 along = v - v.dot(n) * n;
     if (v.dot(n) < 0.0 && allowed(along)) return along;
   }
   Vec3 longest = Vec3::Zero();    // of the parts along edges that are allowed: the nearest
