@@ -71,7 +71,9 @@ class AleisphFields : protected Pointers {
   void set_writers(const double *writers);
 
   // an error if a number that has come with a particle, from a file or a command, is not finite
-  void require_finite() const;
+  void check_kept() const;
+  // an error in the caller's name if v (3 per particle) is not finite on an owned particle
+  void require_finite(const double *v, const std::string &caller, const std::string &what) const;
 
   // empty before the first assembly of the pressure equation
   std::vector<aleisph::RowType> &row_types() { return row_types_; }
@@ -83,6 +85,9 @@ class AleisphFields : protected Pointers {
   double bytes() const;
 
  private:
+  // of atoms for which this does not hold, the largest ID of all ranks; 0 if there is none
+  template <class Predicate> tagint violating(Predicate holds) const;
+
   std::map<std::string, std::string> writers_;       // of this run
   std::map<std::string, std::uint32_t> owned_by_;    // a checksum of them, of the run before
   std::set<std::string> kept_;

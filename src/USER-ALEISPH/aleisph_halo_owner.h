@@ -19,4 +19,14 @@
 #include "aleisph_timers.h"           // IWYU pragma: export
 #include "fix_aleisph.h"              // IWYU pragma: export
 
+namespace LAMMPS_NS {
+
+// rho0 d^dim, which every particle must have
+inline double particle_mass(FixAleisph &owner)
+{
+  return owner.fluid().rho0 * owner.cloud().volume();
+}
+
+}    // namespace LAMMPS_NS
+
 #endif

@@ -96,7 +96,7 @@ void ComputeAleisphEnergy::compute_vector()
 // Positions are not wrapped into the box: along a periodic axis the potential goes on.
 void ComputeAleisphEnergy::add_particles(double *mine) const
 {
-  const double m = owner_->particle_mass();
+  const double m = particle_mass(*owner_);
   const aleisph::Rows rows = aleisph::select_rows(
       owner_->cloud().fluid(), [this](int i) { return atom->mask[i] & groupbit; });
   mine[KINETIC] += aleisph::sum_rows(rows, [&](int i) {

@@ -94,11 +94,6 @@ void FixAleisph::check_fluid_fix(const Fix *fix) const
                  group->names[predictor->igroup]);
 }
 
-double FixAleisph::particle_mass() const
-{
-  return fluid_->rho0 * cloud_->volume();
-}
-
 bool FixAleisph::ready() const
 {
   return !ranks_->any(cloud_->version() == 0 || cloud_->stencil().rows() != atom->nlocal);
@@ -178,7 +173,7 @@ void FixAleisph::setup_pre_force(int)
   checks_->setup();
   if (strcmp(input->command, "rerun") == 0) begin_frame();
   fields_->settle();
-  fields_->require_finite();
+  fields_->check_kept();
   build_halo();
   rebuild();
 }
@@ -245,21 +240,6 @@ void FixAleisph::check_distances()
   if (pairs[0] > 0.0)
     error->all(FLERR, "Fix aleisph: {} pairs of particles lie at the same place", pairs[0]);
   if (neighbor->ago == 0) checks_->arrivals(close_pairs_ > 0.0, candidates());
-}
-
-void FixAleisph::require_finite(const double *v, const std::string &caller,
-                                const std::string &what) const
-{
-  const auto is_finite = [this, v](int i) {
-    return std::all_of(v + 3 * i, v + 3 * i + domain->dimension,
-                       [](double component) { return std::isfinite(component); });
-  };
-  const tagint mine = aleisph::max_rows(
-      atom->nlocal, [&](int i) { return is_finite(i) ? 0 : atom->tag[i]; }, tagint(0));
-  const tagint bad = ranks_->largest(mine);
-  if (bad)
-    error->all(FLERR, "{}: {} of atom {} is not finite at step {}", caller, what, bad,
-               update->ntimestep);
 }
 
 void FixAleisph::assign_roles()

@@ -89,16 +89,12 @@ class FixAleisph : public Fix {
 
   // -- parameters
   const aleisph::FluidProperties &fluid() const { return *fluid_; }
-  double particle_mass() const;
 
   // -- valid from pre_force on, until particles move or migrate
   aleisph::Cloud &cloud() { return *cloud_; }
   bool ready() const;    // there is a stencil, and it is that of the present particles
   // impose the velocity conditions on v, then make its ghosts valid
   void complete_velocity(const aleisph::Field &v);
-
-  // an error in the caller's name if v (3 per particle) is not finite on an owned particle
-  void require_finite(const double *v, const std::string &caller, const std::string &what) const;
 
   AleisphFields &fields() { return *fields_; }
   aleisph::Ranks &ranks() { return *ranks_; }

@@ -200,7 +200,7 @@ void AleisphChecks::find_faults(bool fresh, long long *atoms) const
 
 void AleisphChecks::check_arrivals(long long *atoms) const
 {
-  const double m = owner_.particle_mass();
+  const double m = particle_mass(owner_);
   atoms[NOT_FINITE] = largest([&](int i) {
     const double *const x = atom->x[i], *const v = atom->v[i];
     const auto finite = [](double value) { return std::isfinite(value); };
@@ -278,7 +278,7 @@ void AleisphChecks::refuse(const long long *atoms) const
                atoms[OUT_OF_PLANE]);
   if (atoms[MASS])
     error->all(FLERR, "Fix aleisph: mass of atom {} must be rho0 * spacing^{} = {:.10g}",
-               atoms[MASS], domain->dimension, owner_.particle_mass());
+               atoms[MASS], domain->dimension, particle_mass(owner_));
   if (atoms[SPECIAL])
     error->all(FLERR,
                "Fix aleisph: special_bonds removes neighbors of atom {}, which has bonds; use "

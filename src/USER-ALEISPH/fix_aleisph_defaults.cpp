@@ -37,7 +37,7 @@ void FixAleisph::set_masses()
 {
   if (!atom->mass) return;    // a mass per atom
   for (int type = 1; type <= atom->ntypes; type++)
-    if (!atom->mass_setflag[type]) atom->set_mass(FLERR, type, particle_mass());
+    if (!atom->mass_setflag[type]) atom->set_mass(FLERR, type, particle_mass(*this));
 }
 
 // LAMMPS does not say whether a skin was set; one that is just its default counts as not set.

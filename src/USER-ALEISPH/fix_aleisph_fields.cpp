@@ -8,9 +8,11 @@
 
 #include "aleisph_record.h"
 #include "atom.h"
+#include "domain.h"
 #include "error.h"
 #include "fmt/format.h"
 #include "modify.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +39,11 @@ constexpr const char *WRITTEN[AleisphFields::WRITTEN_FIELDS] = {"aleisph_u", "al
 // all that are kept with the particles, if the script has a fix that asks for them
 constexpr const char *KEPT[] = {"aleisph_p", "aleisph_vw", "aleisph_n",
                                 "aleisph_u", "aleisph_a",  "aleisph_w"};
+
+bool all_finite(const double *values, int n)
+{
+  return std::all_of(values, values + n, [](double value) { return std::isfinite(value); });
+}
 
 }    // namespace
 
@@ -92,27 +99,41 @@ void AleisphFields::set_writers(const double *writers)
     owned_by_[WRITTEN[k]] = static_cast<std::uint32_t>(writers[k]);
 }
 
-void AleisphFields::require_finite() const
+template <class Predicate> tagint AleisphFields::violating(Predicate holds) const
+{
+  const tagint mine = aleisph::max_rows(
+      atom->nlocal, [&](int i) { return holds(i) ? 0 : atom->tag[i]; }, tagint(0));
+  tagint all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  return all;
+}
+
+void AleisphFields::check_kept() const
 {
   for (const char *field : KEPT) {
     int flag, cols;
     const int index = atom->find_custom(field, flag, cols);
     if (index < 0) continue;
-    const auto is_finite = [&](int i) {
+    const tagint bad = violating([&](int i) {
       const double *values = cols ? atom->darray[index][i] : &atom->dvector[index][i];
-      return std::all_of(values, values + std::max(cols, 1),
-                         [](double value) { return std::isfinite(value); });
-    };
-    const tagint bad = aleisph::max_rows(
-        atom->nlocal, [&](int i) { return is_finite(i) ? 0 : atom->tag[i]; }, tagint(0));
-    tagint worst = 0;
-    MPI_Allreduce(&bad, &worst, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-    if (worst)
+      return all_finite(values, std::max(cols, 1));
+    });
+    if (bad)
       error->all(FLERR,
                  "Fix aleisph: property {}_{} of atom {} is not finite; it came from a file or a "
                  "set command: set it to 0",
-                 cols ? "d2" : "d", field, worst);
+                 cols ? "d2" : "d", field, bad);
   }
+}
+
+void AleisphFields::require_finite(const double *v, const std::string &caller,
+                                   const std::string &what) const
+{
+  const int dim = domain->dimension;
+  const tagint bad = violating([v, dim](int i) { return all_finite(v + 3 * i, dim); });
+  if (bad)
+    error->all(FLERR, "{}: {} of atom {} is not finite at step {}", caller, what, bad,
+               update->ntimestep);
 }
 
 void AleisphFields::add_properties()

@@ -165,7 +165,7 @@ double FixAleisphGuard::gradient_energy(const std::vector<double> &before, const
     }
     return change;
   });
-  return 0.5 * owner_->particle_mass() * sum;
+  return 0.5 * particle_mass(*owner_) * sum;
 }
 
 void FixAleisphGuard::limit_pressure(const aleisph::Field &pressure, double *grad)
@@ -239,7 +239,7 @@ double FixAleisphGuard::change_velocity(const std::vector<double> &dv)
     }
     return change;
   });
-  return 0.5 * owner_->particle_mass() * sum;
+  return 0.5 * particle_mass(*owner_) * sum;
 }
 
 void FixAleisphGuard::collide()
@@ -265,7 +265,7 @@ void FixAleisphGuard::cap()
     const double sum = aleisph::sum_rows(fluid, [v](int i) {
       return v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2];
     });
-    return 0.5 * owner_->particle_mass() * sum;
+    return 0.5 * particle_mass(*owner_) * sum;
   };
   const double before = energy();
   const int events = aleisph::cap_velocity(fluid, domain->dimension, cap_, v);

@@ -262,8 +262,8 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
 {
   if (report.ok()) return;
   if (report.status == SolveStatus::NOT_FINITE)
-    owner_->require_finite(owner_->fields().predicted().owned(), "Fix aleisph/ppe",
-                           "predicted velocity");
+    owner_->fields().require_finite(owner_->fields().predicted().owned(), "Fix aleisph/ppe",
+                                    "predicted velocity");
   failures_++;
   const std::string text = fmt::format(
       "Fix aleisph/ppe: pressure not converged at step {} ({}): {} iterations, residual {:.4g} of "

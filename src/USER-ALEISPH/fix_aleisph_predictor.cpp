@@ -258,7 +258,7 @@ void FixAleisphPredictor::evaluate_transport()
     transport[a].evaluate(igroup, values);
     aleisph::for_rows(atom->nlocal, [&](int i) { w[3 * i + a] = values[i]; });
   }
-  owner_->require_finite(w, "Fix aleisph/predictor", "transport velocity");
+  owner_->fields().require_finite(w, "Fix aleisph/predictor", "transport velocity");
 }
 
 void FixAleisphPredictor::final_integrate()
@@ -328,7 +328,7 @@ void FixAleisphPredictor::time_step_limits(aleisph::StepBounds &limits) const
   const auto &cloud = owner_->cloud();
   const double d = cloud.spacing();
   const double *f = atom->nmax ? &atom->f[0][0] : nullptr;
-  const double acceleration = largest_norm(cloud.fluid(), f) / owner_->particle_mass();
+  const double acceleration = largest_norm(cloud.fluid(), f) / particle_mass(*owner_);
   limits.lower(StepBound::CFL, aleisph::cfl_limit(d, largest_speed()));
   limits.lower(StepBound::FORCE, aleisph::force_limit(d, acceleration));
   if (params_.theta == 0.0) limits.lower(StepBound::VISCOUS, viscous_limit_);

@@ -106,7 +106,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
     const auto report = solver_->solve(viscous_, *owner_, b.data(), u.data(), krylov);
     viscous_iterations_ += report.iterations;
     if (report.status == aleisph::SolveStatus::NOT_FINITE)
-      owner_->require_finite(rhs.data(), "Fix aleisph/predictor", "acceleration");
+      owner_->fields().require_finite(rhs.data(), "Fix aleisph/predictor", "acceleration");
     if (!report.ok())
       error->all(FLERR,
                  "Fix aleisph/predictor: viscous velocity not converged at step {} ({}): {} "

@@ -54,7 +54,7 @@ void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
   a.assign(n, 0.0);
   work_.resize(n);
   const auto &cloud = owner_->cloud();
-  const double per_mass = 1.0 / owner_->particle_mass();
+  const double per_mass = 1.0 / particle_mass(*owner_);
   for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
     aleisph::for_rows(*rows, [&](int i) {
       for (int c = 0; c < domain->dimension; c++) a[3 * i + c] = per_mass * atom->f[i][c];

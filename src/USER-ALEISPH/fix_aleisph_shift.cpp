@@ -210,7 +210,7 @@ double FixAleisphShift::head() const
   ranks.sum(4, mean);
   if (mean[3] == 0.0) return 0.0;
   double g[3];
-  for (int a = 0; a < 3; a++) g[a] = mean[a] / (mean[3] * owner_->particle_mass());
+  for (int a = 0; a < 3; a++) g[a] = mean[a] / (mean[3] * particle_mass(*owner_));
 
   const double lowest = ranks.max(aleisph::max_rows(
       fluid, [&](int i) { return dot(g, atom->x[i]); }, -std::numeric_limits<double>::max()));
@@ -273,7 +273,7 @@ void FixAleisphShift::shift()
   aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int a = 0; a < 3; a++) u[3 * i + a] = dr_[3 * i + a] / update->dt;
   });
-  owner_->require_finite(dr_.data(), "Fix aleisph/shift", "shift");
+  owner_->fields().require_finite(dr_.data(), "Fix aleisph/shift", "shift");
   started_ = true;
 }
 

@@ -90,7 +90,7 @@ void AleisphWarnings::body_force()
 
 void AleisphWarnings::moved_walls(int groupbit, const double *previous)
 {
-  const double per_mass = update->dt / owner_.particle_mass();
+  const double per_mass = update->dt / particle_mass(owner_);
   const auto falls = [&](int i) {
     if (!(atom->mask[i] & groupbit)) return false;
     for (int a = 0; a < 3; a++) {
