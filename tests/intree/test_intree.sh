@@ -40,7 +40,8 @@ results() {
 rm -rf run && mkdir run && cd run
 cp "$ALEISPH_SOURCE_DIR"/examples/poiseuille/* .
 with_plugin=$(results "$ALEISPH_LMP")
-unset LAMMPS_PLUGIN_PATH
+# and its own library, not the one that the tests find for Python
+unset LAMMPS_PLUGIN_PATH LD_LIBRARY_PATH
 in_tree=$(results "$build/lmp")
 printf 'plugin:\n%s\nin-tree:\n%s\n' "$with_plugin" "$in_tree"
 [ -n "$in_tree" ] && [ "$in_tree" = "$with_plugin" ]
