@@ -72,12 +72,8 @@ void Ranks::plan(int nlocal, const std::vector<HaloExchange::Owner> &owner)
 
 void Ranks::forward(double *field, int ncomp)
 {
-  Timers::Scope scope(timers_, Part::COMM);
-  traffic_.exchanges++;
-  traffic_.messages += halo_.messages();
-  traffic_.bytes += ncomp * halo_.message_bytes();
-  halo_.start(field, ncomp);
-  halo_.finish(field, ncomp);
+  start(field, ncomp);
+  finish(field, ncomp);
 }
 
 void Ranks::forward_roles(Cloud &cloud)
@@ -89,19 +85,19 @@ void Ranks::forward_roles(Cloud &cloud)
   cloud.roles_changed();
 }
 
-void Ranks::start(double *field)
+void Ranks::start(double *field, int ncomp)
 {
   Timers::Scope scope(timers_, Part::COMM);
   traffic_.exchanges++;
   traffic_.messages += halo_.messages();
-  traffic_.bytes += halo_.message_bytes();
-  halo_.start(field);
+  traffic_.bytes += ncomp * halo_.message_bytes();
+  halo_.start(field, ncomp);
 }
 
-void Ranks::finish(double *field)
+void Ranks::finish(double *field, int ncomp)
 {
   Timers::Scope scope(timers_, Part::COMM);
-  halo_.finish(field);
+  halo_.finish(field, ncomp);
 }
 
 const RowSplit &Ranks::split(int rows, const int *ptr, const int *col, long version)

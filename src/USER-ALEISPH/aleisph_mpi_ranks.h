@@ -47,9 +47,9 @@ class Ranks : public InnerProduct {
   void forward(double *field, int ncomp);
   void forward(const Field &field) { forward(field.exchanged(), field.width()); }
   void forward_roles(Cloud &cloud);
-  // the same of one double, for linear solves that work in between: see HaloExchange
-  void start(double *field);
-  void finish(double *field);
+  // the same in two parts, for linear solves that work in between: see HaloExchange
+  void start(double *field, int ncomp = 1);
+  void finish(double *field, int ncomp = 1);
   // rows of a matrix with these columns that need nothing of other ranks, and the others; kept
   // while the version is the same
   const RowSplit &split(int rows, const int *ptr, const int *col, long version);
