@@ -9,6 +9,7 @@
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_solver.h"
 #include "aleisph_lattice.h"
+#include "aleisph_solve_ppe.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -46,8 +47,10 @@ constexpr double ITERATIONS_ACROSS = 10.0;
 
 FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_(), owner_(nullptr), version_(-1), closed_(false),
-    solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/ppe")), failures_(0),
-    max_iterations_(0)
+    matrix_(std::make_unique<aleisph::CsrMatrix>()),
+    solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/ppe")),
+    krylov_(std::make_unique<aleisph::KrylovParams>()),
+    report_(std::make_unique<aleisph::SolveReport>()), failures_(0), max_iterations_(0)
 {
   params_.reuse = true;
   params_.divergence = DIVERGENCE;
@@ -78,8 +81,8 @@ void FixAleisphPPE::parse(int narg, char **arg)
     } else if (key == "tol") {
       tol = value;
       if (tol == "auto") continue;
-      params_.krylov.rtol = utils::numeric(FLERR, value, false, lmp);
-      if (!(params_.krylov.rtol > 0.0) || !(params_.krylov.rtol < 1.0))
+      krylov_->rtol = utils::numeric(FLERR, value, false, lmp);
+      if (!(krylov_->rtol > 0.0) || !(krylov_->rtol < 1.0))
         error->all(FLERR, "Fix aleisph/ppe: tol must lie between 0 and 1, not {}", value);
     } else if (key == "maxiter") {
       max_iterations_ = utils::inumeric(FLERR, value, false, lmp);
@@ -127,7 +130,7 @@ void FixAleisphPPE::choose_max_iterations()
       {domain->prd[0], domain->prd[1], domain->dimension == 3 ? domain->prd[2] : 0.0});
   const double across = std::min(side / owner_->cloud().spacing(),
                                  static_cast<double>(atom->natoms));
-  params_.krylov.max_iterations = max_iterations_
+  krylov_->max_iterations = max_iterations_
       ? max_iterations_
       : std::max(LEAST_ITERATIONS, static_cast<int>(std::min(1.0e9, ITERATIONS_ACROSS * across)));
 }
@@ -180,18 +183,18 @@ void FixAleisphPPE::solve()
   right_hand_side();
 
   set_target();
-  params_.krylov.remove_mean = closed_;
+  krylov_->remove_mean = closed_;
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SOLVE);
   const aleisph::Field pressure = owner_->fields().pressure();
   const double *p = pressure.owned();
   p_.assign(p, p + owner_->cloud().size());
   const long builds = solver_->solver().counts().builds;
-  report_ = solver_->solve(matrix_, *owner_, rhs_.data(), p_.data(), params_.krylov);
+  *report_ = solver_->solve(*matrix_, *owner_, rhs_.data(), p_.data(), *krylov_);
   auto &tally = owner_->tally();
   tally.precond_builds += solver_->solver().counts().builds - builds;
   tally.replaced_pivots = solver_->solver().precond_report().replaced_pivots;
-  act_on(report_);
+  act_on(*report_);
   std::copy(p_.begin(), p_.begin() + atom->nlocal, pressure.edit());
   owner_->ranks().forward(pressure);
 }
@@ -200,12 +203,12 @@ void FixAleisphPPE::assemble()
 {
   auto &cloud = owner_->cloud();
   // with viscosity the weights serve the predictor, too
-  std::vector<double> laplacian = matrix_.release();
+  std::vector<double> laplacian = matrix_->release();
   cloud.laplacian_weights(owner_->scene().viscosity() > 0.0, laplacian);
   aleisph::PpeRows rows;
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
-    rows = aleisph::assemble_ppe(cloud, std::move(laplacian), options(), matrix_,
+    rows = aleisph::assemble_ppe(cloud, std::move(laplacian), options(), *matrix_,
                                  owner_->fields().row_types());
   }
   closed_ = !owner_->ranks().any(rows.dirichlet + rows.singular + rows.surface > 0);
@@ -326,7 +329,7 @@ double FixAleisphPPE::max_divergence()
 
 double FixAleisphPPE::compute_scalar()
 {
-  return report_.iterations;
+  return report_->iterations;
 }
 
 double FixAleisphPPE::compute_vector(int n)
@@ -334,23 +337,24 @@ double FixAleisphPPE::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/ppe");
   if (!owner_->ready()) return 0.0;
   switch (n) {
-    case 0: return report_.iterations;
-    case 1: return report_.rhs_norm > 0.0 ? report_.residual / report_.rhs_norm : report_.residual;
+    case 0: return report_->iterations;
+    case 1:
+      return report_->rhs_norm > 0.0 ? report_->residual / report_->rhs_norm : report_->residual;
     case 2: return max_divergence();
-    case 3: return report_.restarts;
-    case 4: return report_.rhs_mean;
-    case 5: return volume_change(report_.largest);
+    case 3: return report_->restarts;
+    case 4: return report_->rhs_mean;
+    case 5: return volume_change(report_->largest);
     case 6: return closed_;
     case 7: return failures_;
     case 8: return solver_->solver().counts().iterations;
     case 9: return solver_->solver().counts().builds;
     case 10: return solver_->solver().counts().fallbacks;
-    default: return volume_change(report_.target);
+    default: return volume_change(report_->target);
   }
 }
 
 double FixAleisphPPE::memory_usage()
 {
-  return matrix_.bytes() + solver_->solver().bytes() +
+  return matrix_->bytes() + solver_->solver().bytes() +
       sizeof(double) * (rhs_.size() + div_.size() + grad_.size() + p_.size());
 }

@@ -17,16 +17,22 @@ FixStyle(aleisph/ppe,FixAleisphPPE);
 #ifndef LMP_FIX_ALEISPH_PPE_H
 #define LMP_FIX_ALEISPH_PPE_H
 
-#include "aleisph_solve_csr.h"
-#include "aleisph_solve_krylov.h"
-#include "aleisph_solve_ppe.h"
 #include "fix.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace aleisph {
+class CsrMatrix;
+struct KrylovParams;
+struct PpeOptions;
+struct SolveReport;
+}    // namespace aleisph
+
 namespace LAMMPS_NS {
+
+class AleisphHaloSolver;
 
 class FixAleisphPPE : public Fix {
  public:
@@ -43,8 +49,7 @@ class FixAleisphPPE : public Fix {
 
  private:
   struct Params {
-    aleisph::KrylovParams krylov;
-    double divergence;    // bound on |div v| dt, 0: none, but krylov.rtol
+    double divergence;    // bound on |div v| dt, 0: none, but the relative tolerance
     bool reuse, error_on_failure;
   };
 
@@ -70,9 +75,10 @@ class FixAleisphPPE : public Fix {
   class FixAleisph *owner_;
   long version_;    // of the positions that the matrix belongs to
   bool closed_;     // no pressure is prescribed anywhere
-  aleisph::CsrMatrix matrix_;
-  std::unique_ptr<class AleisphHaloSolver> solver_;
-  aleisph::SolveReport report_;
+  std::unique_ptr<aleisph::CsrMatrix> matrix_;
+  std::unique_ptr<AleisphHaloSolver> solver_;
+  std::unique_ptr<aleisph::KrylovParams> krylov_;
+  std::unique_ptr<aleisph::SolveReport> report_;    // of the last solve
   std::vector<double> rhs_, div_, grad_, p_;
   long failures_;
   int max_iterations_;    // keyword maxiter, 0: not given

@@ -42,7 +42,7 @@ double FixAleisphPPE::volume_change(double residual) const
 // What ends the solve: tol and the norm of the residual, or divergence and its largest entry
 void FixAleisphPPE::set_target()
 {
-  auto &krylov = params_.krylov;
+  auto &krylov = *krylov_;
   krylov.atol = rounding_level();
   if (params_.divergence == 0.0) return;
   krylov.largest = params_.divergence / volume_change(1.0);
@@ -92,7 +92,7 @@ double FixAleisphPPE::largest_rounding() const
 
 std::string FixAleisphPPE::criterion() const
 {
-  if (params_.divergence == 0.0) return fmt::format("tolerance {:.4g}", params_.krylov.rtol);
-  return fmt::format("change of volume {:.4g} for {:.4g}", volume_change(report_.largest),
-                     volume_change(report_.target));
+  if (params_.divergence == 0.0) return fmt::format("tolerance {:.4g}", krylov_->rtol);
+  return fmt::format("change of volume {:.4g} for {:.4g}", volume_change(report_->largest),
+                     volume_change(report_->target));
 }

@@ -9,6 +9,7 @@
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_record.h"
 #include "aleisph_halo_solver.h"
+#include "aleisph_halo_variable.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -40,6 +41,7 @@ constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(Step
 
 FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), viscous_limit_(0.0), previous_dt_(0.0),
+    viscous_(std::make_unique<aleisph::CsrMatrix>()),
     solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/predictor")),
     viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
 {
@@ -117,6 +119,11 @@ void FixAleisphPredictor::parse(int narg, char **arg)
       error->all(FLERR, "Fix aleisph/predictor: unknown keyword {}", key);
     iarg += 1 + nvalues;
   }
+}
+
+bool FixAleisphPredictor::prescribed() const
+{
+  return !params_.transport.empty();
 }
 
 void FixAleisphPredictor::check_transport() const
@@ -364,6 +371,6 @@ double FixAleisphPredictor::compute_vector(int n)
 
 double FixAleisphPredictor::memory_usage()
 {
-  return viscous_.bytes() + solver_->solver().bytes() +
+  return viscous_->bytes() + solver_->solver().bytes() +
       sizeof(double) * (a_.size() + work_.size() + grad_p_.size() + relative_.size());
 }

@@ -21,16 +21,21 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 #ifndef LMP_FIX_ALEISPH_PREDICTOR_H
 #define LMP_FIX_ALEISPH_PREDICTOR_H
 
-#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
-#include "aleisph_solve_csr.h"
 #include "fix.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace aleisph {
+class CsrMatrix;
+}
+
 namespace LAMMPS_NS {
+
+class AleisphHaloSolver;
+class AleisphVariable;
 
 class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
  public:
@@ -68,7 +73,7 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   };
 
   void parse(int narg, char **arg);
-  bool prescribed() const { return !params_.transport.empty(); }
+  bool prescribed() const;
   bool shifted() const { return params_.frame == Frame::ALE && !prescribed(); }
   void lose_shift(const Fix *property) const;
   void check_transport() const;
@@ -101,8 +106,8 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   double previous_dt_;      // of the stored acceleration, 0 if there is none
 
   std::vector<double> a_, work_, grad_p_, relative_;    // 3 per owned particle
-  aleisph::CsrMatrix viscous_;
-  std::unique_ptr<class AleisphHaloSolver> solver_;
+  std::unique_ptr<aleisph::CsrMatrix> viscous_;
+  std::unique_ptr<AleisphHaloSolver> solver_;
   long viscous_version_;
   double viscous_dt_;
   int viscous_iterations_;

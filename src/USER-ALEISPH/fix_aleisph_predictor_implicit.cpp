@@ -74,7 +74,7 @@ void FixAleisphPredictor::assemble_viscous()
 {
   auto &cloud = owner_->cloud();
   aleisph::assemble_viscous(cloud, params_.theta * update->dt * nu_, owner_->scene().conditions(),
-                            viscous_);
+                            *viscous_);
   if (solver_->automatic()) {
     const bool stiff = params_.theta * viscous_number() >= MIN_ILU_NUMBER;
     solver_->solver().set_type(stiff ? PrecondType::ILU0 : PrecondType::JACOBI);
@@ -103,7 +103,7 @@ void FixAleisphPredictor::solve_viscous(std::vector<double> &rhs)
       b[i] = rhs[3 * i + a];
       u[i] = v[3 * i + a];
     });
-    const auto report = solver_->solve(viscous_, *owner_, b.data(), u.data(), krylov);
+    const auto report = solver_->solve(*viscous_, *owner_, b.data(), u.data(), krylov);
     viscous_iterations_ += report.iterations;
     if (report.status == aleisph::SolveStatus::NOT_FINITE)
       owner_->fields().require_finite(rhs.data(), "Fix aleisph/predictor", "acceleration");
