@@ -75,8 +75,8 @@ bool is_stability_limit(StepBound bound)
 }    // namespace
 
 FixAleisphDt::FixAleisphDt(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), every_(0), owner_(nullptr), script_dt_(0.0), limit_(-1.0),
-    limit_align_(0.0), warned_(false)
+    Fix(lmp, narg, arg), every_(0), control_(std::make_unique<aleisph::StepControl>()),
+    owner_(nullptr), script_dt_(0.0), limit_(-1.0), limit_align_(0.0), warned_(false)
 {
   parse(narg, arg);
 
@@ -89,13 +89,15 @@ FixAleisphDt::FixAleisphDt(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
+FixAleisphDt::~FixAleisphDt() = default;
+
 void FixAleisphDt::parse(int narg, char **arg)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/dt", error);
   every_ = utils::inumeric(FLERR, arg[3], false, lmp);
   if (every_ < 1) error->all(FLERR, "Fix aleisph/dt: N must be at least 1, not {}", arg[3]);
 
-  auto &params = control_.params;
+  auto &params = control_->params;
   const std::map<std::string, double *> others = {
       {"min", &params.min}, {"max", &params.max}, {"grow", &params.grow}, {"align", &params.align}};
   for (int iarg = 4; iarg < narg; iarg += 2) {
@@ -147,17 +149,17 @@ void FixAleisphDt::init()
   if (update->whichflag != 1) return;    // no run
   adopt_timestep();
   // now, as other styles use the time step in their setup
-  apply(control_.state.dt);
+  apply(control_->state.dt);
 }
 
 // A timestep command bounds the next choice. Scripts that go on from a restart file often repeat
 // the one of the first run; this does not count.
 void FixAleisphDt::adopt_timestep()
 {
-  const double in_force = control_.state.dt;
+  const double in_force = control_->state.dt;
   if (in_force > 0.0 && (update->dt == in_force || update->dt == script_dt_)) return;
   script_dt_ = update->dt;
-  control_.start(script_dt_);
+  control_->start(script_dt_);
   limit_ = -1.0;
 }
 
@@ -168,13 +170,13 @@ void FixAleisphDt::setup(int)
   const double now = present_limit();
   const bool same = now == limit_ ||
       (std::isfinite(now) && std::fabs(now - limit_) <= SAME_LIMIT * now);
-  if (!same || limit_align_ != control_.params.align) choose();
+  if (!same || limit_align_ != control_->params.align) choose();
 }
 
 void FixAleisphDt::end_of_step()
 {
   double multiple = time();
-  const bool arrived = control_.at_multiple(multiple);
+  const bool arrived = control_->at_multiple(multiple);
   if (arrived) {
     update->update_time();
     update->atime = multiple;    // without the rounding of the sum
@@ -200,22 +202,22 @@ double FixAleisphDt::time() const
 
 double FixAleisphDt::present_limit() const
 {
-  return control_.bounds(owner_->scene().step_limits()).smallest();
+  return control_->bounds(owner_->scene().step_limits()).smallest();
 }
 
 void FixAleisphDt::remember()
 {
   limit_ = present_limit();
-  limit_align_ = control_.params.align;
+  limit_align_ = control_->params.align;
 }
 
 /* ---------------------------------------------------------------------- */
 
 void FixAleisphDt::choose()
 {
-  const bool possible = control_.choose(owner_->scene().step_limits(), time());
-  const StepBound acting = control_.acting();
-  const double dt = control_.state.bounds[acting];
+  const bool possible = control_->choose(owner_->scene().step_limits(), time());
+  const StepBound acting = control_->acting();
+  const double dt = control_->state.bounds[acting];
   if (!possible && dt == 0.0)
     error->all(FLERR, "Fix aleisph/dt: limit {} allows no time step at step {}", to_string(acting),
                update->ntimestep);
@@ -223,14 +225,14 @@ void FixAleisphDt::choose()
     error->all(FLERR,
                "Fix aleisph/dt: time step {:.6g} at step {}, by limit {}, is below min {:.6g}; the "
                "run diverges, or min is too large",
-               dt, update->ntimestep, to_string(acting), control_.params.min);
+               dt, update->ntimestep, to_string(acting), control_->params.min);
   if (acting == StepBound::NONE && !warned_ && comm->me == 0)
     error->warning(FLERR,
                    "Fix aleisph/dt: nothing limits the time step at step {}, it stays {:.6g}; use "
                    "keyword max",
-                   update->ntimestep, control_.state.dt);
+                   update->ntimestep, control_->state.dt);
   if (acting == StepBound::NONE) warned_ = true;
-  apply(control_.state.dt);
+  apply(control_->state.dt);
 }
 
 // what the timestep command does
@@ -266,7 +268,7 @@ double FixAleisphDt::compute_scalar()
 // seven bounds
 double FixAleisphDt::compute_vector(int n)
 {
-  const auto &state = control_.state;
+  const auto &state = control_->state;
   if (n == 0) return state.acting;
   if (n <= 5) return std::min(state.bounds[static_cast<StepBound>(n)], NO_LIMIT);
   if (n == 6) return state.changes;
@@ -276,7 +278,7 @@ double FixAleisphDt::compute_vector(int n)
 void FixAleisphDt::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const auto &state = control_.state;
+  const auto &state = control_->state;
   std::vector<double> values = {script_dt_,      limit_,        limit_align_, state.dt,
                                 state.unbounded, state.ceiling, state.acting, state.changes};
   for (int k = 0; k < aleisph::NUM_STEP_BOUNDS; k++) {
@@ -290,7 +292,7 @@ void FixAleisphDt::restart(char *buf)
 {
   const auto values = read_record(error, this, record_of_choice(), buf);
   auto next = values.begin();
-  auto &state = control_.state;
+  auto &state = control_->state;
   for (double *member : {&script_dt_, &limit_, &limit_align_, &state.dt, &state.unbounded,
                          &state.ceiling, &state.acting, &state.changes})
     *member = *next++;

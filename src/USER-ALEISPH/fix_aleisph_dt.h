@@ -16,14 +16,20 @@ FixStyle(aleisph/dt,FixAleisphDt);
 #ifndef LMP_FIX_ALEISPH_DT_H
 #define LMP_FIX_ALEISPH_DT_H
 
-#include "aleisph_timestep.h"
 #include "fix.h"
+
+#include <memory>
+
+namespace aleisph {
+class StepControl;
+}
 
 namespace LAMMPS_NS {
 
 class FixAleisphDt : public Fix {
  public:
   FixAleisphDt(class LAMMPS *, int, char **);
+  ~FixAleisphDt() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -45,7 +51,7 @@ class FixAleisphDt : public Fix {
   void reschedule_dumps();
 
   int every_;
-  aleisph::StepControl control_;
+  std::unique_ptr<aleisph::StepControl> control_;
   class FixAleisph *owner_;
   double script_dt_;      // the last one that a timestep command has set
   double limit_;          // smallest bound at the end of the last run; < 0: choose anew

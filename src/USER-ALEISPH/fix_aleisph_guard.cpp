@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_guard.h"
 
+#include "aleisph_guards.h"
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_record.h"
 #include "aleisph_solve_ppe.h"

@@ -16,7 +16,6 @@ FixStyle(aleisph/guard,FixAleisphGuard);
 #ifndef LMP_FIX_ALEISPH_GUARD_H
 #define LMP_FIX_ALEISPH_GUARD_H
 
-#include "aleisph_guards.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 

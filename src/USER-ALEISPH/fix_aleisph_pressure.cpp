@@ -7,6 +7,7 @@
 #include "fix_aleisph_pressure.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_variable.h"
 #include "aleisph_nearest.h"
 #include "aleisph_solve_ppe.h"
 #include "aleisph_vectors.h"
@@ -31,12 +32,12 @@ constexpr int MAX_DEPTH = 100;
 }    // namespace
 
 FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), value_(lmp, "Fix aleisph/pressure", "pressure",
-                                AleisphVariable::Kind::EQUAL_OR_ATOM, narg > 3 ? arg[3] : "0"),
-    buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0}, owner_(nullptr), version_(-1),
-    depth_(0)
+    Fix(lmp, narg, arg), buffer_group_(-1), buffer_bit_(0), towards_{0.0, 0.0, 0.0},
+    owner_(nullptr), version_(-1), depth_(0)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/pressure", error);
+  value_ = std::make_unique<AleisphVariable>(lmp, "Fix aleisph/pressure", "pressure",
+                                             AleisphVariable::Kind::EQUAL_OR_ATOM, arg[3]);
   if (narg == 4) return;
   if (strcmp(arg[4], "buffer") != 0)
     error->all(FLERR, "Fix aleisph/pressure: unknown keyword {}", arg[4]);
@@ -54,6 +55,8 @@ FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
     error->all(FLERR, "Fix aleisph/pressure: buffer direction must not be zero");
   for (double &component : towards_) component /= std::sqrt(norm);
 }
+
+FixAleisphPressure::~FixAleisphPressure() = default;
 
 int FixAleisphPressure::setmask()
 {
@@ -76,14 +79,14 @@ void FixAleisphPressure::init()
   if (buffer_group_ >= 0 && group->count(buffer_group_) == 0)
     error->all(FLERR, "Fix aleisph/pressure: buffer group {} is empty",
                group->names[buffer_group_]);
-  value_.check();
+  value_->check();
 }
 
 // settings that must not contradict each other on one particle
 void FixAleisphPressure::add_claims() const
 {
   const std::string name = fmt::format("{} ({})", id, style);
-  owner_->scene().add_claim({name, "pressure", value_.text(), groupbit});
+  owner_->scene().add_claim({name, "pressure", value_->text(), groupbit});
   if (buffer_bit_)
     owner_->scene().add_claim({name, "buffer direction",
                                fmt::format("{} {} {}", towards_[0], towards_[1], towards_[2]),
@@ -108,8 +111,8 @@ void FixAleisphPressure::set_pressure()
 {
   std::vector<double> p;
   {
-    const AleisphVariable::Evaluation evaluation(lmp, !value_.constant());
-    value_.evaluate(igroup, p);
+    const AleisphVariable::Evaluation evaluation(lmp, !value_->constant());
+    value_->evaluate(igroup, p);
   }
   double *pressure = owner_->fields().pressure().edit();
   const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),

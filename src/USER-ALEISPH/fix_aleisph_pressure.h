@@ -18,17 +18,20 @@ FixStyle(aleisph/pressure,FixAleisphPressure);
 #ifndef LMP_FIX_ALEISPH_PRESSURE_H
 #define LMP_FIX_ALEISPH_PRESSURE_H
 
-#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 
+#include <memory>
 #include <vector>
 
 namespace LAMMPS_NS {
 
+class AleisphVariable;
+
 class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
  public:
   FixAleisphPressure(class LAMMPS *, int, char **);
+  ~FixAleisphPressure() override;
   int setmask() override;
   void init() override;
   void setup_pre_force(int) override;
@@ -44,7 +47,7 @@ class FixAleisphPressure : public Fix, public aleisph::VelocityCondition {
   int nearest_source(int i) const;
   void find_depth();
 
-  AleisphVariable value_;
+  std::unique_ptr<AleisphVariable> value_;
   int buffer_group_, buffer_bit_;    // index and bit of the buffer's group; -1, 0 if there is none
   double towards_[3];                // unit vector from the buffer to the fluid
   class FixAleisph *owner_;

@@ -8,6 +8,8 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_record.h"
+#include "aleisph_halo_variable.h"
+#include "aleisph_shift.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -52,8 +54,9 @@ double dot(const double *a, const double *b)
 }    // namespace
 
 FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), rate_(-1.0), step_(-1.0), smoothing_(-1.0), filter_(-1.0), owner_(nullptr),
-    started_(false), coefficient_(0.0), limited_total_(0.0), limited_(0)
+    Fix(lmp, narg, arg), params_(std::make_unique<aleisph::ShiftParams>()), rate_(-1.0),
+    step_(-1.0), smoothing_(-1.0), filter_(-1.0), owner_(nullptr), started_(false),
+    coefficient_(0.0), limited_total_(0.0), limited_(0)
 {
   parse(narg, arg);
   restart_global = 1;
@@ -63,18 +66,20 @@ FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
 }
 
+FixAleisphShift::~FixAleisphShift() = default;
+
 void FixAleisphShift::parse(int narg, char **arg)
 {
   if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/shift", error);
   const std::string model = arg[3];
   if (model == "density")
-    params_.model = ShiftModel::DENSITY;
+    params_->model = ShiftModel::DENSITY;
   else if (model == "ops")
-    params_.model = ShiftModel::OPS;
+    params_->model = ShiftModel::OPS;
   else if (model == "fickian")
-    params_.model = ShiftModel::FICKIAN;
+    params_->model = ShiftModel::FICKIAN;
   else if (model == "tvf")
-    params_.model = ShiftModel::TVF;
+    params_->model = ShiftModel::TVF;
   else
     error->all(FLERR, "Fix aleisph/shift: model must be density, ops, fickian or tvf, not {}",
                model);
@@ -101,7 +106,7 @@ void FixAleisphShift::parse(int narg, char **arg)
       if (value != "accurate" && value != "published")
         error->all(FLERR, "Fix aleisph/shift: variant must be accurate or published, not {}",
                    value);
-      params_.published = value == "published";
+      params_->published = value == "published";
     } else if (key == "rate") {
       rate_ = at_most(MAX_RATE);
     } else if (key == "step") {
@@ -119,20 +124,20 @@ void FixAleisphShift::parse(int narg, char **arg)
     } else if (key == "surface") {
       if (value != "full" && value != "positive")
         error->all(FLERR, "Fix aleisph/shift: surface must be full or positive, not {}", value);
-      params_.positive_surface = value == "positive";
+      params_->positive_surface = value == "positive";
     } else if (key == "smoothing") {
       smoothing_ = at_most(MAX_RATE);
     } else if (key == "filter") {
       filter_ = at_most(MAX_RATE);
     } else if (key == "walls") {
-      params_.wall_distance = at_most(MAX_DISTANCE);
+      params_->wall_distance = at_most(MAX_DISTANCE);
     } else if (key == "limit") {
-      params_.limit = at_most(MAX_DISTANCE);
+      params_->limit = at_most(MAX_DISTANCE);
     } else
       error->all(FLERR, "Fix aleisph/shift: unknown keyword {}", key);
   }
   check_keywords(words);
-  const bool accurate = params_.model == ShiftModel::DENSITY && !params_.published;
+  const bool accurate = params_->model == ShiftModel::DENSITY && !params_->published;
   if (smoothing_ < 0.0) smoothing_ = accurate ? SMOOTHING : 0.0;
   if (filter_ < 0.0) filter_ = accurate ? FILTER : 0.0;
 }
@@ -140,12 +145,12 @@ void FixAleisphShift::parse(int narg, char **arg)
 // what would have no effect is not taken silently
 void FixAleisphShift::check_keywords(const std::set<std::string> &words) const
 {
-  const bool density = params_.model == ShiftModel::DENSITY;
+  const bool density = params_->model == ShiftModel::DENSITY;
   for (const char *key : {"variant", "surface"})
     if (words.count(key) && !density)
       error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density", key);
   for (const char *key : {"smoothing", "filter"})
-    if (words.count(key) && (!density || params_.published))
+    if (words.count(key) && (!density || params_->published))
       error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density, variant accurate", key);
   if (words.count("rate") && words.count("step"))
     error->all(FLERR, "Fix aleisph/shift: use either keyword rate or keyword step");
@@ -182,8 +187,8 @@ void FixAleisphShift::final_integrate()
 double FixAleisphShift::rate() const
 {
   if (rate_ >= 0.0) return rate_;
-  if (params_.model != ShiftModel::DENSITY) return RATE_FULL;
-  if (params_.published) return RATE_PUBLISHED;
+  if (params_->model != ShiftModel::DENSITY) return RATE_FULL;
+  if (params_->published) return RATE_PUBLISHED;
   return owner_->scene().surface().present ? RATE_SURFACE : RATE_FULL;
 }
 
@@ -253,19 +258,19 @@ void FixAleisphShift::shift()
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const double scale = velocity_scale() * dt_over_d();
-  params_.coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate() * scale;
-  params_.smoothing = std::min(smoothing_ * scale, MAX_SMOOTHING);
-  params_.wall_step = params_.wall_distance > 0.0 ? std::min(WALL_RATE * scale, WALL_STEP) : 0.0;
-  params_.dt = update->dt;
-  if (params_.model == ShiftModel::DENSITY) {
+  params_->coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate() * scale;
+  params_->smoothing = std::min(smoothing_ * scale, MAX_SMOOTHING);
+  params_->wall_step = params_->wall_distance > 0.0 ? std::min(WALL_RATE * scale, WALL_STEP) : 0.0;
+  params_->dt = update->dt;
+  if (params_->model == ShiftModel::DENSITY) {
     eps_.assign(cloud.size(), 0.0);
-    aleisph::density_deviation(cloud, params_.published, eps_.data(),
+    aleisph::density_deviation(cloud, params_->published, eps_.data(),
                                owner_->scene().tension() ? owner_->scene().tension()->curvature()
                                                          : nullptr);
     owner_->ranks().forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  const auto count = aleisph::compute_shift(cloud, params_, eps_.data(), v, dr_.data());
+  const auto count = aleisph::compute_shift(cloud, *params_, eps_.data(), v, dr_.data());
   limited_ = count.limited;
   limited_total_ += count.limited;
 

@@ -18,9 +18,7 @@ FixStyle(aleisph/shift,FixAleisphShift);
 #ifndef LMP_FIX_ALEISPH_SHIFT_H
 #define LMP_FIX_ALEISPH_SHIFT_H
 
-#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
-#include "aleisph_shift.h"
 #include "fix.h"
 
 #include <memory>
@@ -28,11 +26,18 @@ FixStyle(aleisph/shift,FixAleisphShift);
 #include <string>
 #include <vector>
 
+namespace aleisph {
+struct ShiftParams;
+}
+
 namespace LAMMPS_NS {
+
+class AleisphVariable;
 
 class FixAleisphShift : public Fix, private aleisph::Acceleration {
  public:
   FixAleisphShift(class LAMMPS *, int, char **);
+  ~FixAleisphShift() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -55,7 +60,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double per_step(double rate) { return rate * velocity_scale() * dt_over_d(); }
   double dt_over_d() const;
 
-  aleisph::ShiftParams params_;
+  std::unique_ptr<aleisph::ShiftParams> params_;
   double rate_, step_;                           // C = rate() U dt/d, or step; < 0: not given
   double smoothing_, filter_;                    // rates, < 0: the variant's own
   std::unique_ptr<AleisphVariable> velocity_;    // U, null if not given as a number or variable

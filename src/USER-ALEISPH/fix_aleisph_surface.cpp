@@ -8,6 +8,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_solve_ppe.h"
+#include "aleisph_surface.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -32,15 +33,19 @@ constexpr double REACH = 2.0, REACH_TENSION = 2.3;
 }    // namespace
 
 FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), offset_(-1.0), reach_(-1.0), owner_(nullptr), version_(-1)
+    Fix(lmp, narg, arg), params_(std::make_unique<aleisph::SurfaceParams>()),
+    surface_(std::make_unique<aleisph::FreeSurface>()), offset_(-1.0), reach_(-1.0),
+    owner_(nullptr), version_(-1), count_(std::make_unique<aleisph::SurfaceCount>())
 {
-  surface_.present = true;
+  surface_->present = true;
   parse(narg, arg);
   vector_flag = 1;
   size_vector = 5;
   global_freq = 1;
   extvector = 0;
 }
+
+FixAleisphSurface::~FixAleisphSurface() = default;
 
 void FixAleisphSurface::parse(int narg, char **arg)
 {
@@ -60,17 +65,17 @@ void FixAleisphSurface::parse(int narg, char **arg)
         error->all(FLERR, "Fix aleisph/surface: row must be half or centre, not {}", value);
       offset_ = value == "half" ? 0.5 : 0.0;
     } else if (key == "lambda") {
-      params_.max_lambda = number(0.0, 1.0);
+      params_->max_lambda = number(0.0, 1.0);
     } else if (key == "angle") {
-      params_.half_angle = number(20.0, 90.0);
+      params_->half_angle = number(20.0, 90.0);
     } else if (key == "reach") {
       reach_ = number(1.0, 3.0);
     } else if (key == "pressure") {
-      surface_.pressure = utils::numeric(FLERR, value, false, lmp);
+      surface_->pressure = utils::numeric(FLERR, value, false, lmp);
     } else if (key == "floor") {
-      surface_.floor = number(0.0, 0.5);
+      surface_->floor = number(0.0, 0.5);
     } else if (key == "dry") {
-      surface_.dry_reach = value == "no" ? 0.0 : number(1.0, 2.0);
+      surface_->dry_reach = value == "no" ? 0.0 : number(1.0, 2.0);
     } else
       error->all(FLERR, "Fix aleisph/surface: unknown keyword {}", key);
   }
@@ -86,12 +91,12 @@ void FixAleisphSurface::init()
   owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
   owner_->check_fluid_fix(this);
   const bool tension = !modify->get_fix_by_style("^aleisph/tension$").empty();
-  surface_.offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
-  params_.reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
-  owner_->scene().set_surface(surface_);
-  owner_->cloud().set_floor(surface_.floor);
+  surface_->offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
+  params_->reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
+  owner_->scene().set_surface(*surface_);
+  owner_->cloud().set_floor(surface_->floor);
   const double support = owner_->cloud().kernel().support() / owner_->cloud().spacing();
-  params_.wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
+  params_->wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
   version_ = -1;
 }
 
@@ -99,11 +104,11 @@ void FixAleisphSurface::setup_pre_force(int vflag)
 {
   const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),
                                                 update->dt);
-  if (!(std::fabs(surface_.pressure) <= most))
+  if (!(std::fabs(surface_->pressure) <= most))
     error->all(FLERR,
                "Fix aleisph/surface: pressure {} is above {:.4g}, where its rounding alone moves "
                "fluid; look at the units",
-               surface_.pressure, most);
+               surface_->pressure, most);
   pre_force(vflag);
 }
 
@@ -117,7 +122,7 @@ void FixAleisphSurface::detect()
   auto &cloud = owner_->cloud();
   cloud.gradient();    // timed apart
   aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
-  count_ = aleisph::detect_surface(cloud, params_);
+  *count_ = aleisph::detect_surface(cloud, *params_);
   owner_->ranks().forward_roles(owner_->cloud());
   owner_->ranks().forward(cloud.normal(), 3);
   version_ = cloud.version();
@@ -129,8 +134,8 @@ double FixAleisphSurface::compute_vector(int n)
   owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
   if (!owner_->ready()) return 0.0;
   switch (n) {
-    case 0: return owner_->ranks().sum(count_.surface);
-    case 1: return owner_->ranks().sum(count_.ballistic);
+    case 0: return owner_->ranks().sum(count_->surface);
+    case 1: return owner_->ranks().sum(count_->ballistic);
     case 2: return owner_->ranks().sum(owner_->tally().dry_walls);
     case 3: return owner_->ranks().sum(owner_->cloud().gradient().clamped());
     default: return owner_->ranks().sum(owner_->tally().surface_rows);

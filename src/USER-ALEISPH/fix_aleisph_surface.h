@@ -16,15 +16,22 @@ FixStyle(aleisph/surface,FixAleisphSurface);
 #ifndef LMP_FIX_ALEISPH_SURFACE_H
 #define LMP_FIX_ALEISPH_SURFACE_H
 
-#include "aleisph_scene.h"
-#include "aleisph_surface.h"
 #include "fix.h"
+
+#include <memory>
+
+namespace aleisph {
+struct FreeSurface;
+struct SurfaceCount;
+struct SurfaceParams;
+}    // namespace aleisph
 
 namespace LAMMPS_NS {
 
 class FixAleisphSurface : public Fix {
  public:
   FixAleisphSurface(class LAMMPS *, int, char **);
+  ~FixAleisphSurface() override;
   int setmask() override;
   void init() override;
   void setup_pre_force(int) override;
@@ -35,12 +42,12 @@ class FixAleisphSurface : public Fix {
   void parse(int narg, char **arg);
   void detect();
 
-  aleisph::SurfaceParams params_;
-  aleisph::FreeSurface surface_;
+  std::unique_ptr<aleisph::SurfaceParams> params_;
+  std::unique_ptr<aleisph::FreeSurface> surface_;
   double offset_, reach_;    // as given, < 0: the default
   class FixAleisph *owner_;
   long version_;    // of the positions that the flags belong to
-  aleisph::SurfaceCount count_;
+  std::unique_ptr<aleisph::SurfaceCount> count_;
 };
 
 }    // namespace LAMMPS_NS

@@ -7,6 +7,7 @@
 #include "fix_aleisph_tension.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_variable.h"
 #include "aleisph_surface_hold.h"
 #include "aleisph_tension_published.h"
 #include "aleisph_tension_roughness.h"
@@ -174,6 +175,26 @@ void FixAleisphTension::pre_force(int)
   aleisph::Timers::Scope scope(owner_->timers(), aleisph::Part::TENSION);
   if (owner_->cloud().version() != version_) rebuild();
   find_pressure();
+}
+
+const aleisph::TensionResult &FixAleisphTension::result() const
+{
+  return model_->result();
+}
+
+const double *FixAleisphTension::curvature() const
+{
+  return result().K.data();
+}
+
+const double *FixAleisphTension::surface_normal() const
+{
+  return result().N.data();
+}
+
+const double *FixAleisphTension::contact() const
+{
+  return result().contact.empty() ? nullptr : result().contact.data();
 }
 
 bool FixAleisphTension::ready() const

@@ -16,16 +16,21 @@ FixStyle(aleisph/tension,FixAleisphTension);
 #ifndef LMP_FIX_ALEISPH_TENSION_H
 #define LMP_FIX_ALEISPH_TENSION_H
 
-#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
-#include "aleisph_tension.h"
 #include "fix.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
+namespace aleisph {
+class TensionModel;
+struct TensionResult;
+}    // namespace aleisph
+
 namespace LAMMPS_NS {
+
+class AleisphVariable;
 
 class FixAleisphTension :
     public Fix,
@@ -50,12 +55,9 @@ class FixAleisphTension :
   // aleisph::SurfaceTension, owned particles, zero away from the surface
   bool ready() const override;
   const double *surface_pressure() const override { return p_.data(); }
-  const double *curvature() const override { return result().K.data(); }
-  const double *surface_normal() const override { return result().N.data(); }
-  const double *contact() const override
-  {
-    return result().contact.empty() ? nullptr : result().contact.data();
-  }
+  const double *curvature() const override;
+  const double *surface_normal() const override;
+  const double *contact() const override;
   double sigma() const override { return sigma_; }
   const double *contact_cosine() const override { return walls_ ? cosine_.data() : nullptr; }
   void add_acceleration(double *a) override;
@@ -67,7 +69,7 @@ class FixAleisphTension :
   struct Angle {
     std::string group;
     int groupbit;
-    AleisphVariable degrees;
+    std::unique_ptr<AleisphVariable> degrees;
   };
 
   void parse(int narg, char **arg);
@@ -76,7 +78,7 @@ class FixAleisphTension :
   void resolve_angles() const;
   void evaluate_angles();
   void make_model();
-  const aleisph::TensionResult &result() const { return model_->result(); }
+  const aleisph::TensionResult &result() const;
   void rebuild();
   void find_pressure();
   void find_velocity_gradient(const aleisph::Rows &rows);

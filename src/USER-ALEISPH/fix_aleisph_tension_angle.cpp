@@ -9,6 +9,7 @@
 #include "fix_aleisph_tension.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_variable.h"
 #include "atom.h"
 #include "error.h"
 #include "group.h"
@@ -39,9 +40,9 @@ FixAleisphTension::Angle FixAleisphTension::parse_angle(const std::string &name,
   if (id < 0)
     error->all(FLERR, "Fix aleisph/tension: keyword angle: there is no group {} of walls", name);
   Angle angle = {name, group->bitmask[id],
-                 AleisphVariable(lmp, "Fix aleisph/tension", "keyword angle",
-                                 AleisphVariable::Kind::EQUAL_OR_ATOM, value)};
-  if (angle.degrees.constant() && !is_angle(angle.degrees.equal()))
+                 std::make_unique<AleisphVariable>(lmp, "Fix aleisph/tension", "keyword angle",
+                                                   AleisphVariable::Kind::EQUAL_OR_ATOM, value)};
+  if (angle.degrees->constant() && !is_angle(angle.degrees->equal()))
     error->all(FLERR, "Fix aleisph/tension: angle must lie between 0 and 180 degrees, not {}",
                value);
   return angle;
@@ -60,7 +61,7 @@ void FixAleisphTension::resolve_angles() const
     if (owner_->ranks().sum(count) == 0)
       error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
                  angle.group);
-    angle.degrees.check();
+    angle.degrees->check();
   }
 }
 
@@ -71,15 +72,15 @@ void FixAleisphTension::evaluate_angles()
   std::vector<double> values;
   const aleisph::Role *role = owner_->cloud().role();
   const bool varies = std::any_of(angles_.begin(), angles_.end(),
-                                  [](const Angle &angle) { return !angle.degrees.constant(); });
+                                  [](const Angle &angle) { return !angle.degrees->constant(); });
   const AleisphVariable::Evaluation evaluation(lmp, varies);
   for (const auto &angle : angles_) {
-    angle.degrees.evaluate(group->find(angle.group), values);
+    angle.degrees->evaluate(group->find(angle.group), values);
     const aleisph::Rows rows = aleisph::select_rows(atom->nlocal, [&](int i) {
       return (atom->mask[i] & angle.groupbit) && (role[i] & aleisph::WALL);
     });
     aleisph::for_rows(rows, [&](int i) { cosine_[i] = std::cos(values[i] * DEGREE); });
-    if (angle.degrees.constant()) continue;
+    if (angle.degrees->constant()) continue;
     const tagint mine = aleisph::max_rows(
         rows, [&](int i) { return is_angle(values[i]) ? 0 : atom->tag[i]; }, tagint(0));
     const tagint outside = owner_->ranks().largest(mine);
@@ -87,7 +88,7 @@ void FixAleisphTension::evaluate_angles()
       error->all(FLERR,
                  "Fix aleisph/tension: variable {} must lie between 0 and 180 degrees, for atom {} "
                  "it does not at step {}",
-                 angle.degrees.name(), outside, update->ntimestep);
+                 angle.degrees->name(), outside, update->ntimestep);
   }
   owner_->ranks().forward(cosine_.data(), 1);
 }

@@ -7,6 +7,7 @@
 #include "fix_aleisph_wall.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_halo_variable.h"
 #include "aleisph_wall_normals.h"
 #include "atom.h"
 #include "comm.h"
@@ -38,6 +39,8 @@ FixAleisphWall::FixAleisphWall(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   extscalar = extvector = 0;
 }
+
+FixAleisphWall::~FixAleisphWall() = default;
 
 void FixAleisphWall::parse(int narg, char **arg)
 {

@@ -16,7 +16,6 @@ FixStyle(aleisph/wall,FixAleisphWall);
 #ifndef LMP_FIX_ALEISPH_WALL_H
 #define LMP_FIX_ALEISPH_WALL_H
 
-#include "aleisph_halo_variable.h"
 #include "aleisph_scene.h"
 #include "fix.h"
 
@@ -25,9 +24,12 @@ FixStyle(aleisph/wall,FixAleisphWall);
 
 namespace LAMMPS_NS {
 
+class AleisphVariable;
+
 class FixAleisphWall : public Fix, public aleisph::NormalFinder {
  public:
   FixAleisphWall(class LAMMPS *, int, char **);
+  ~FixAleisphWall() override;
   int setmask() override;
   void init() override;
   void setup_pre_force(int) override;

@@ -5,6 +5,8 @@
 dependencies  numerics (aleisph_*) include only numerics, the standard library and Eigen, those of
               several ranks (aleisph_mpi_*) MPI and hypre, too; a style (fix_*, compute_*) includes
               numerics, LAMMPS and the owner, but no other style
+style_headers LAMMPS includes the headers of all styles in one file: each includes its base class
+              (fix.h, compute.h; aleisph_scene.h if it has one of that) and the standard library
 headers       file heads: the licence line; include guards LMP_<FILE NAME>_H
 ascii         source, scripts, examples and documentation are plain ASCII
 names         no header of ours has the name of one of LAMMPS' headers
@@ -30,6 +32,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 ROW_LOOP = re.compile(r"for \((const )?(int|auto) i : |"
                       r"for \(int (\w+) = 0; \3 < [^;]*(nlocal|owned\(\)|\bs_?\.rows\(\))")
 STYLE = re.compile(r"^(fix|compute)_.*\.h$")
+SCENE_BASE = re.compile(r"(public|private) aleisph::\w+")    # among the base classes
 CODE = (".h", ".cpp", ".py", ".sh", ".cmake")
 TEXT = CODE + (".rst", ".md", ".txt", ".json", ".aleisph", ".lmp")
 
@@ -86,6 +89,19 @@ def dependencies():
                 yield path, number, f"must not include {name}"
 
 
+def style_headers():
+    for path in package_files():
+        if not STYLE.match(path.name):
+            continue
+        allowed = {path.name.split("_")[0] + ".h"}
+        if SCENE_BASE.search(path.read_text()):
+            allowed.add("aleisph_scene.h")
+        for number, system, name in includes(path):
+            if name not in allowed and (not system or "/" in name or name.endswith(".h")):
+                yield path, number, (f"includes {name}: declare its classes here, include it in the "
+                                     "source file")
+
+
 def headers():
     for path in project_files(CODE):
         head = path.read_text().splitlines()[:6]
@@ -126,8 +142,8 @@ def rows():
                 yield path, number, "runs over particles by hand: use for_rows, sum_rows, ..."
 
 
-RULES = {"dependencies": dependencies, "headers": headers, "ascii": ascii_only, "names": names,
-         "rows": rows}
+RULES = {"dependencies": dependencies, "style_headers": style_headers, "headers": headers,
+         "ascii": ascii_only, "names": names, "rows": rows}
 
 
 def main():
