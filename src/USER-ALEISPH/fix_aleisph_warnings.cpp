@@ -36,7 +36,7 @@ constexpr double SAME_CHANGE = 1.0e-9;
 constexpr double LARGEST_COURANT = 0.5;
 // Where they do not move, the fluid must not pass more than one of them in a step.
 constexpr double LARGEST_AT_REST = 1.0;
-// The time step is above a limit: by more than what it was rounded by when it was typed
+// The time step is above a limit: by more than the rounding of the six digits that messages give
 constexpr double ABOVE = 1.0 + 1.0e-5;
 // Above this ratio, and from so many particles per rank on, it is worth a line in the script
 constexpr double IMBALANCE = 1.5, MIN_LOAD = 1000.0;
@@ -134,21 +134,28 @@ void AleisphWarnings::step()
   if (look || update->ntimestep == update->laststep) time_step();
 }
 
-// A step that fix aleisph/dt chooses obeys all limits
+/* ----------------------------------------------------------------------
+   A step that fix aleisph/dt chooses obeys all limits. The others are told once that they are above
+   the advisable step, as the predictor gives it, and once more if the flow becomes unstable. Of
+   viscosity and tension the styles tell themselves. Where particles are at rest, only the full
+   Courant limit counts: a share of it is a matter of accuracy, and flows along walls, which are
+   what such particles are used for, have no convection that could lose any.
+------------------------------------------------------------------------- */
 void AleisphWarnings::time_step()
 {
-  if (owner_.scene().adaptive_step() || said_.count("step")) return;
+  if (owner_.scene().adaptive_step() || said_.count("unstable")) return;
+  const bool moving = owner_.scene().moving();
   const auto limits = owner_.scene().step_limits();
   const auto shares = limits.scaled(aleisph::DEFAULT_STEP_SHARES);
-  const double dt = update->dt;
-  // of viscosity and tension the styles tell themselves
-  auto bound = StepBound::NONE;
-  if (dt > ABOVE * shares[StepBound::FORCE]) bound = StepBound::FORCE;
-  if (dt > ABOVE * shares[StepBound::CONVECTION]) bound = StepBound::CONVECTION;
-  const double largest = owner_.scene().moving() ? LARGEST_COURANT : LARGEST_AT_REST;
-  if (dt > largest * limits[StepBound::CFL]) bound = StepBound::CFL;
-  if (bound == StepBound::NONE) return;
-  first("step");
+  aleisph::StepBounds most;
+  for (const auto bound : {StepBound::FORCE, StepBound::CONVECTION})
+    most.lower(bound, shares[bound]);
+  most.lower(StepBound::CFL,
+             moving ? shares[StepBound::CFL] : LARGEST_AT_REST * limits[StepBound::CFL]);
+  const double dt = update->dt, courant = dt / limits[StepBound::CFL];
+  const bool unstable = courant > (moving ? LARGEST_COURANT : LARGEST_AT_REST) ||
+      dt > ABOVE * shares[StepBound::CONVECTION];
+  if (!(dt > ABOVE * most.smallest()) || !first(unstable ? "unstable" : "advisable")) return;
 
   const double *v = atom->nmax ? &atom->v[0][0] : nullptr;
   const auto speed = [v](int i) { return aleisph::at(v, i).norm(); };
@@ -156,13 +163,14 @@ void AleisphWarnings::time_step()
   const tagint mine = aleisph::max_rows(
       atom->nlocal, [&](int i) { return speed(i) == highest ? atom->tag[i] : 0; }, tagint(0));
   const tagint found = owner_.ranks().largest(mine);
-  const double courant = dt / limits[StepBound::CFL];
+  const auto bound = most.tightest();
   if (comm->me == 0)
     error->warning(
         FLERR,
-        "Fix aleisph: timestep {:.6g} is too large at step {}: {} allows {:.4g} (Courant "
-        "number {:.3g}, atom {} is the fastest); reduce it, or use fix aleisph/dt",
-        dt, update->ntimestep, to_string(bound), shares[bound], courant, found);
+        "Fix aleisph: timestep {:.6g} is {} at step {}: {} allows {:.6g} (Courant number {:.3g}, "
+        "atom {} is the fastest); reduce it, or use fix aleisph/dt",
+        dt, unstable ? "too large" : "above the advisable one", update->ntimestep, to_string(bound),
+        shares[bound], courant, found);
 }
 
 std::string AleisphWarnings::likely_cause()

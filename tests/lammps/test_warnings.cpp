@@ -84,29 +84,48 @@ TEST(Warnings, TimeStep)
   expect_one_warning(log_of("", stir),
                      {"timestep 0.01 is too large at step 0", "cfl allows 0.0025",
                       "Courant number 0.8", "atom", "fix aleisph/dt"});
-  EXPECT_EQ(warnings(log_of("", "velocity fluid set 5.0 0 0\nrun 1")), 0);
+  // above the advisable step, and below half a spacing: Courant number 0.4
+  expect_one_warning(log_of("", "velocity fluid set 5.0 0 0\nrun 0\nrun 0"),
+                     {"timestep 0.01 is above the advisable one at step 0", "cfl allows 0.005",
+                      "Courant number 0.4", "atom", "fix aleisph/dt"});
+  // the advisable step, as the predictor gives it, is no reason for a warning, whatever bounds it
+  for (const char *speed : {"0.1", "2.0"}) {
+    const std::string advisable = "velocity fluid set " + std::string(speed) +
+        " 0 0\nrun 0\nvariable most equal f_pred[4]\n";
+    const auto said = [&](const char *factor) {
+      return warnings(log_of(GRAVITY, advisable + "timestep $(" + factor + "*v_most:%.6g)\nrun 0",
+                             "timestep 1e-6"));
+    };
+    EXPECT_EQ(said("1.0"), 0);
+    EXPECT_EQ(said("1.001"), 1);
+  }
   EXPECT_EQ(warnings(log_of("", "fix dt all aleisph/dt 1\n" + stir)), 0);
   // sqrt(d/a)/4
-  expect_one_warning(log_of(GRAVITY, "run 1", "timestep 0.1"), {"force allows 0.08839"});
+  expect_one_warning(log_of(GRAVITY, "run 1", "timestep 0.1"),
+                     {"above the advisable one", "force allows 0.0883883"});
   // 2 nu/v^2 with forward Euler, particles at rest: ten times the step
   Simulation sim(small_channel());
   Script script = small_script();
   script.predictor += " frame eulerian nu 0.1";
   script.timestep = "timestep 0.02\nvelocity fluid set 10.0 0 0";
   sim.error_of(script.text() + "run 1");
-  expect_one_warning(sim.log(), {"convection allows 0.002"});
+  expect_one_warning(sim.log(), {"too large", "convection allows 0.002"});
 }
 
-// a scene that gets faster during the run
+// A scene that gets faster during the run: above the advisable step from Courant number 0.2 on, and
+// too large from 0.5 on
 TEST(Warnings, TimeStepDuringTheRun)
 {
   Simulation sim(small_channel());
   Script script = small_script();
   script.body = "fix push all gravity 5.0 vector 1 0 0";
-  sim.run(script.text() + "run 150");    // Courant number 0.375
+  sim.run(script.text() + "run 70");    // Courant number 0.175
   EXPECT_EQ(warnings(sim.log()), 0);
-  sim.run("run 150");
-  expect_one_warning(sim.log(), {"timestep 0.01 is too large at step 2", "Courant number 0.5"});
+  sim.run("run 80");    // 0.375; looked at after 16 steps
+  expect_one_warning(sim.log(), {"timestep 0.01 is above the advisable one at step 86"});
+  sim.run("run 150\nrun 10");
+  expect_words(sim.log(), {"timestep 0.01 is too large at step 2", "Courant number 0.5"});
+  EXPECT_EQ(warnings(sim.log()), 2) << sim.log();
 }
 
 TEST(Warnings, Imbalance)
