@@ -139,6 +139,7 @@ struct Claim {
   std::string what;     // "condition", "velocity", ...
   std::string value;    // as the script gives it
   int groupbit;
+  Role role = 0;    // of the group only particles that have this role; 0: all
 };
 
 // One run's: at the start of the next one it is emptied, and the fixes sign up again.

@@ -188,11 +188,14 @@ void AleisphChecks::find_faults(bool fresh, long long *atoms) const
   const auto &claims = owner_.scene().claims();
   const auto pairs = static_cast<long long>(contradictions_.size());
   for (long long k = 0; k < pairs; k++) {
-    const int first = claims[contradictions_[k].first].groupbit;
-    const int second = claims[contradictions_[k].second].groupbit;
+    const aleisph::Claim &one = claims[contradictions_[k].first];
+    const aleisph::Claim &other = claims[contradictions_[k].second];
+    const auto concerns = [&](const aleisph::Claim &claim, int i) {
+      return (mask[i] & claim.groupbit) && (role[i] & claim.role) == claim.role;
+    };
     // the atom and the pair in one number
     const auto code = [&](int i) -> long long {
-      return (mask[i] & first) && (mask[i] & second) ? atom->tag[i] * pairs + k : 0;
+      return concerns(one, i) && concerns(other, i) ? atom->tag[i] * pairs + k : 0;
     };
     atoms[CONTRADICTION] = aleisph::max_rows(atom->nlocal, code, atoms[CONTRADICTION]);
   }

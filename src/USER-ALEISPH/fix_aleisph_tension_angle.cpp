@@ -62,6 +62,8 @@ void FixAleisphTension::resolve_angles() const
       error->all(FLERR, "Fix aleisph/tension: keyword angle: there are no walls in group {}",
                  angle.group);
     angle.degrees->check();
+    owner_->scene().add_claim({fmt::format("{} ({}) for group {}", id, style, angle.group), "angle",
+                               angle.degrees->text(), angle.groupbit, aleisph::WALL});
   }
 }
 

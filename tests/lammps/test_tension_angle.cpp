@@ -160,13 +160,32 @@ TEST(ContactAngle, Groups)
   const auto mixed = surface_curvature("angle left 60 angle right 120");
   EXPECT_EQ(left_end(mixed), left_end(wet));
   EXPECT_EQ(left_end(reversed(mixed)), left_end(reversed(dry)));
-  // the last one counts
-  EXPECT_EQ(surface_curvature("angle wall 120 angle left 60"), mixed);
-  EXPECT_EQ(surface_curvature("angle left 60 angle wall 120"), dry);
+  // the same twice is no contradiction
+  EXPECT_EQ(surface_curvature("angle wall 60 angle left 60"), wet);
   // walls without a keyword are neutral
   const auto half = surface_curvature("angle left 60");
   EXPECT_EQ(left_end(half), left_end(wet));
   EXPECT_LE(largest(left_end(reversed(half))), 1e-10 * WIDE);
+}
+
+// The script and the order of the keywords do not decide which of two angles is meant
+TEST(ContactAngle, OverlappingGroupsAreRefused)
+{
+  const Scene scene = open_tank(2, WIDE);
+  const auto error_of = [&](const std::string &angles, const std::string &before = "") {
+    Simulation sim(scene);
+    return sim.error_of(angle_script(scene, angles, before).text() + "run 0");
+  };
+  const Words words = {"atom",           "two values of angle", "120 by fix tens", "for group wall",
+                       "60 by fix tens", "for group left",      "take it out"};
+  expect_words(error_of("angle wall 120 angle left 60"), words);
+  expect_words(error_of("angle left 60 angle wall 120"), words);
+  expect_words(error_of("angle wall 60 angle left v_theta", "variable theta equal 60"),
+               {"two values of angle", "v_theta"});
+  // fluid in both groups has no angle
+  EXPECT_EQ(
+      error_of("angle a 60 angle b 120", "group a union left fluid\ngroup b union right fluid\n"),
+      "");
 }
 
 TEST(ContactAngle, Variables)
