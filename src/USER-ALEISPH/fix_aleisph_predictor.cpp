@@ -10,6 +10,7 @@
 #include "aleisph_halo_record.h"
 #include "aleisph_halo_solver.h"
 #include "aleisph_halo_variable.h"
+#include "aleisph_solve_viscous.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -216,6 +217,16 @@ void FixAleisphPredictor::check_other_integrators() const
       error->all(FLERR, "Fix {} ({}) would integrate fluid atoms as well as fix {} ({})", fix->id,
                  fix->style, id, style);
   }
+}
+
+void FixAleisphPredictor::check_viscosity() const
+{
+  const double most = aleisph::largest_viscosity(owner_->cloud().spacing(), update->dt);
+  if (!(nu_ <= most))
+    error->all(FLERR,
+               "Fix aleisph/predictor: viscosity {} is above {:.4g}, where the rounding of its "
+               "force alone moves fluid; look at the units",
+               nu_, most);
 }
 
 void FixAleisphPredictor::check_viscous_limit() const

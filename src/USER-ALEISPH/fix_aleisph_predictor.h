@@ -79,6 +79,7 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   void check_transport() const;
   void check_shift() const;
   void check_other_integrators() const;
+  void check_viscosity() const;
   void check_viscous_limit() const;
 
   void body_acceleration(std::vector<double> &a);

@@ -23,6 +23,7 @@ using aleisph::Part;
 
 void FixAleisphPredictor::setup(int)
 {
+  check_viscosity();
   // a time step that is chosen is checked in reset_dt()
   if (!owner_->scene().adaptive_step()) check_viscous_limit();
   if (prescribed()) evaluate_transport();

@@ -37,6 +37,7 @@ constexpr double SMOOTHING = 1.5, MAX_SMOOTHING = 0.5;    // a share per step ab
 constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
 // Beyond, a value is a slip of the pen: all act in full long before, or reach past the support.
 constexpr double MAX_RATE = 1.0e4, MAX_DISTANCE = 10.0;    // per U dt/d; in spacings
+constexpr double MAX_VELOCITY = 1.0e4;                     // spacings in a time step
 // off walls, in spacings per U dt/d, and per step
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
@@ -246,6 +247,12 @@ double FixAleisphShift::velocity_scale()
   if (!(value >= 0.0) || !std::isfinite(value))
     error->all(FLERR, "Fix aleisph/shift: variable {} must not be negative, it is {} at step {}",
                velocity_->name(), value, update->ntimestep);
+  const double most = MAX_VELOCITY / dt_over_d();
+  if (value > most)
+    error->all(FLERR,
+               "Fix aleisph/shift: velocity {} is above {:.4g} at step {}, {} spacings in a time "
+               "step; look at the units",
+               value, most, update->ntimestep, MAX_VELOCITY);
   return value;
 }
 

@@ -8,6 +8,7 @@
 
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_variable.h"
+#include "aleisph_solve_ppe.h"
 #include "aleisph_surface_hold.h"
 #include "aleisph_tension_published.h"
 #include "aleisph_tension_roughness.h"
@@ -31,6 +32,8 @@ using aleisph::StepBound;
 
 namespace {
 
+// Of filter, factor and delta, which are about one: beyond, a value is a slip of the pen.
+constexpr double MAX_RATE = 1.0e4;
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::CAPILLARY)];
 
 }    // namespace
@@ -70,6 +73,13 @@ void FixAleisphTension::parse(int narg, char **arg)
         error->all(FLERR, "Fix aleisph/tension: {} must not be negative, it is {}", key, value);
       return x;
     };
+    const auto rate = [&]() {
+      const double x = positive();
+      if (x > MAX_RATE)
+        error->all(FLERR, "Fix aleisph/tension: {} must be at most {}, it is {}", key, MAX_RATE,
+                   value);
+      return x;
+    };
     if (key == "sigma") {
       given_sigma_ = positive();
     } else if (key == "model") {
@@ -84,12 +94,12 @@ void FixAleisphTension::parse(int narg, char **arg)
       viscous_ = utils::logical(FLERR, value, false, lmp);
       viscous_given_ = true;
     } else if (key == "filter") {
-      filter_ = positive();
+      filter_ = rate();
     } else if (key == "factor") {
-      factor_ = positive();
+      factor_ = rate();
       published_only = key;
     } else if (key == "delta") {
-      delta_ = positive();
+      delta_ = rate();
       published_only = key;
     } else
       error->all(FLERR, "Fix aleisph/tension: unknown keyword {}", key);
@@ -161,6 +171,7 @@ void FixAleisphTension::init_list(int, NeighList *list)
 
 void FixAleisphTension::setup_pre_force(int vflag)
 {
+  check_sigma();
   pre_force(vflag);
 }
 
@@ -277,6 +288,18 @@ void FixAleisphTension::time_step_limits(aleisph::StepBounds &limits) const
 void FixAleisphTension::reset_dt()
 {
   if (update->whichflag == 1 && owner_ && !owner_->scene().adaptive_step()) check_time_step();
+}
+
+// its pressure in a particle on the surface is at most about sigma/d
+void FixAleisphTension::check_sigma() const
+{
+  const double d = owner_->cloud().spacing();
+  const double most = d * aleisph::largest_pressure(owner_->fluid().rho0, d, update->dt);
+  if (!(sigma_ <= most))
+    error->all(FLERR,
+               "Fix aleisph/tension: sigma {} is above {:.4g}, where the rounding of its pressure "
+               "alone moves fluid; look at the units",
+               sigma_, most);
 }
 
 void FixAleisphTension::check_time_step() const

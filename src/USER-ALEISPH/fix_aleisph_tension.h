@@ -82,6 +82,7 @@ class FixAleisphTension :
   void rebuild();
   void find_pressure();
   void find_velocity_gradient(const aleisph::Rows &rows);
+  void check_sigma() const;
   void check_time_step() const;
 
   bool published_;        // the model: published or tangent

@@ -80,6 +80,64 @@ TEST(ScaleErrors, Shifting)
                     {"ix aleisph/shift:", key, "must be at most 10000, it is 1e308"}}});
 }
 
+// a number and a variable, at the start and when it becomes too large: 1e4 d/dt is 2e5
+TEST(ScaleErrors, ShiftVelocity)
+{
+  const auto message = [](const std::string &velocity) {
+    Simulation sim(small_channel());
+    Script script = small_script();
+    script.predictor += " frame ale";
+    script.shift =
+        "variable U equal 1e5*(step+1)\nfix shift fluid aleisph/shift density velocity " + velocity;
+    return sim.error_of(script.text() + "run 3");
+  };
+  for (const char *velocity : {"1e150", "1e308"})
+    expect_words(
+        message(velocity),
+        {"ix aleisph/shift: velocity 1e+", "is above 2e+05 at step 0", "10000 spacings", "units"});
+  expect_words(message("v_U"), {"ix aleisph/shift: velocity 300000", "is above 2e+05 at step 2"});
+  EXPECT_EQ(message("1.9e5"), "");
+}
+
+TEST(ScaleErrors, Tension)
+{
+  const auto line = [](const std::string &text) {
+    return [text](Script &s) {
+      s.surface = "fix surf fluid aleisph/surface\nfix tens fluid aleisph/tension " + text;
+    };
+  };
+  for (const char *key : {"filter", "factor", "delta"})
+    expect_errors({{key,
+                    line(fmt::format("sigma 1 model published {} 1e308", key)),
+                    {"ix aleisph/tension:", key, "must be at most 10000, it is 1e308"}}});
+  // 1e12 rho0 d^3/dt^2 = 8e13
+  for (const char *sigma : {"1e14", "1e150", "1e308"})
+    for (const char *dt : {"", "fix dt all aleisph/dt 1"})
+      expect_errors({{sigma,
+                      [&](Script &s) {
+                        line(fmt::format("sigma {}", sigma))(s);
+                        s.dt = dt;
+                      },
+                      {"ix aleisph/tension: sigma 1", "is above 8e+13", "units"}}});
+  expect_errors({{"7e13", line("sigma 7e13"), {"above the capillary limit"}}});
+}
+
+TEST(ScaleErrors, Viscosity)
+{
+  // 1e12 d^2/dt = 4e12, whatever gives it and whatever the scheme
+  for (const char *nu : {"nu 1e13", "nu 1e150", "nu 1e308", "mu 1e150"})
+    for (const char *scheme : {"explicit", "be", "cn"})
+      for (const char *dt : {"", "fix dt all aleisph/dt 1"})
+        expect_errors({{nu,
+                        [&](Script &s) {
+                          s.predictor += fmt::format(" {} scheme {}", nu, scheme);
+                          s.dt = dt;
+                        },
+                        {"ix aleisph/predictor: viscosity 1", "is above 4e+12", "units"}}});
+  expect_errors(
+      {{"3e12", [](Script &s) { s.predictor += " nu 3e12"; }, {"explicit viscosity is unstable"}}});
+}
+
 TEST(ScaleErrors, AlignBelowMin)
 {
   expect_errors({{"align",
