@@ -18,6 +18,7 @@
 #include "aleisph_scene.h"            // IWYU pragma: export
 #include "aleisph_timers.h"           // IWYU pragma: export
 #include "fix_aleisph.h"              // IWYU pragma: export
+#include "update.h"
 
 namespace LAMMPS_NS {
 
@@ -25,6 +26,14 @@ namespace LAMMPS_NS {
 inline double particle_mass(FixAleisph &owner)
 {
   return owner.fluid().rho0 * owner.cloud().volume();
+}
+
+/* In the destructor of a fix. LAMMPS keeps the places of fixes in lists until it sets up a run: with
+   "run N pre no" after unfix, it would call other fixes, or what is no more. A first run is set up
+   whatever pre says: so is the next one, then. */
+inline void set_up_next_run(Update *update)
+{
+  if (update) update->first_update = 0;    // null: LAMMPS ends
 }
 
 }    // namespace LAMMPS_NS

@@ -57,6 +57,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
 
 FixAleisph::~FixAleisph()
 {
+  set_up_next_run(update);
   print_report();
   release_cutoff();
   fields_->delete_properties();
@@ -64,7 +65,7 @@ FixAleisph::~FixAleisph()
 
 int FixAleisph::setmask()
 {
-  return PRE_EXCHANGE | PRE_FORCE;
+  return INITIAL_INTEGRATE | PRE_EXCHANGE | PRE_FORCE;
 }
 
 void FixAleisph::post_constructor()
@@ -176,6 +177,15 @@ void FixAleisph::setup_pre_force(int)
   fields_->check_kept();
   build_halo();
   rebuild();
+}
+
+// The first function of all styles that a step calls
+void FixAleisph::initial_integrate(int)
+{
+  if (update->first_update == 0)
+    error->all(FLERR,
+               "Fix aleisph: a fix of this package was deleted by a command of run every; use pre "
+               "yes");
 }
 
 // A continued run begins with particles sorted by their places. So must this one go on, or the two

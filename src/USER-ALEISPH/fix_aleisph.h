@@ -103,6 +103,7 @@ class FixAleisph : public Fix {
   AleisphWarnings &warnings() { return *warnings_; }
 
  private:
+  void initial_integrate(int) override;
   void parse(int narg, char **arg);
   void check_scales(double spacing) const;
   void read_fluid_file(const char *filename);

@@ -89,7 +89,10 @@ FixAleisphDt::FixAleisphDt(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
-FixAleisphDt::~FixAleisphDt() = default;
+FixAleisphDt::~FixAleisphDt()
+{
+  set_up_next_run(update);
+}
 
 void FixAleisphDt::parse(int narg, char **arg)
 {

@@ -57,6 +57,11 @@ FixAleisphGuard::FixAleisphGuard(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
 }
 
+FixAleisphGuard::~FixAleisphGuard()
+{
+  set_up_next_run(update);
+}
+
 void FixAleisphGuard::parse(int narg, char **arg)
 {
   for (int iarg = 3; iarg < narg; iarg += 2) {

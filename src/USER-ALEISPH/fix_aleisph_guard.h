@@ -27,6 +27,7 @@ namespace LAMMPS_NS {
 class FixAleisphGuard : public Fix, private aleisph::PressureGuard {
  public:
   FixAleisphGuard(class LAMMPS *, int, char **);
+  ~FixAleisphGuard() override;
   int setmask() override;
   void init() override;
   void setup(int) override;

@@ -64,7 +64,10 @@ FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
-FixAleisphPPE::~FixAleisphPPE() = default;
+FixAleisphPPE::~FixAleisphPPE()
+{
+  set_up_next_run(update);
+}
 
 void FixAleisphPPE::parse(int narg, char **arg)
 {

@@ -60,6 +60,7 @@ FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
 
 FixAleisphPredictor::~FixAleisphPredictor()
 {
+  set_up_next_run(update);
   if (!modify) return;
   for (const char *id : {ACCELERATION_FIX, TRANSPORT_FIX, SHIFT_FIX})
     if (modify->get_fix_by_id(id)) modify->delete_fix(id);

@@ -56,7 +56,10 @@ FixAleisphPressure::FixAleisphPressure(LAMMPS *lmp, int narg, char **arg) :
   for (double &component : towards_) component /= std::sqrt(norm);
 }
 
-FixAleisphPressure::~FixAleisphPressure() = default;
+FixAleisphPressure::~FixAleisphPressure()
+{
+  set_up_next_run(update);
+}
 
 int FixAleisphPressure::setmask()
 {

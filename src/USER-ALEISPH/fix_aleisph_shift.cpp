@@ -67,7 +67,10 @@ FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
 }
 
-FixAleisphShift::~FixAleisphShift() = default;
+FixAleisphShift::~FixAleisphShift()
+{
+  set_up_next_run(update);
+}
 
 void FixAleisphShift::parse(int narg, char **arg)
 {

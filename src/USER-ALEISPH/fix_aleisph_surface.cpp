@@ -45,7 +45,10 @@ FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
 }
 
-FixAleisphSurface::~FixAleisphSurface() = default;
+FixAleisphSurface::~FixAleisphSurface()
+{
+  set_up_next_run(update);
+}
 
 void FixAleisphSurface::parse(int narg, char **arg)
 {

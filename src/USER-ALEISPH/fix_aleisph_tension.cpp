@@ -53,6 +53,7 @@ FixAleisphTension::FixAleisphTension(LAMMPS *lmp, int narg, char **arg) :
 
 FixAleisphTension::~FixAleisphTension()
 {
+  set_up_next_run(update);
   if (!modify) return;
   for (Fix *fix : modify->get_fix_by_style("^aleisph$"))
     dynamic_cast<FixAleisph *>(fix)->scene().remove_tension(this);

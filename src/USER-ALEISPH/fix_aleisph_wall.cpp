@@ -40,7 +40,10 @@ FixAleisphWall::FixAleisphWall(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
-FixAleisphWall::~FixAleisphWall() = default;
+FixAleisphWall::~FixAleisphWall()
+{
+  set_up_next_run(update);
+}
 
 void FixAleisphWall::parse(int narg, char **arg)
 {

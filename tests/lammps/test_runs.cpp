@@ -3,10 +3,7 @@
    Several runs, restart files, fixes that are taken away and defined again.
 ------------------------------------------------------------------------- */
 
-#include "script.h"
-#include "simulation.h"
-
-#include <gtest/gtest.h>
+#include "errors.h"
 
 namespace {
 
@@ -74,6 +71,30 @@ TEST(Runs, SeveralRunsEqualOne)
     EXPECT_LE(largest(state(many), state(one)), 1e-9);
     EXPECT_LE(largest(state(every), state(one)), 1e-9);
   }
+}
+
+// LAMMPS keeps lists of fixes from the last set-up: without one they would name what is no more
+TEST(Runs, PreNoAfterAFixHasGone)
+{
+  const Script script = stirred_script(settings()[1]);
+  const auto run = [&](Simulation &sim, const std::string &more) {
+    return sim.error_of(script.text() + STIR + "run 3\n" + more);
+  };
+  const std::string again = "\nfix ppe all aleisph/ppe tol 1e-3\n";
+  for (const std::string &change : {"unfix ppe" + again, again}) {
+    Simulation without(stirred_tank()), with(stirred_tank());
+    EXPECT_EQ(run(without, change + "run 3 pre no"), "");
+    EXPECT_EQ(run(with, change + "run 3"), "");
+    EXPECT_EQ(state(without), state(with));
+  }
+  const auto message = [&](const std::string &more) {
+    Simulation sim(stirred_tank());
+    return run(sim, more);
+  };
+  expect_words(message("unfix ppe\nrun 1 pre no"), {"needs a fix aleisph/ppe"});
+  expect_words(message("unfix sph\nrun 1 pre no"), {"needs a fix aleisph, "});
+  expect_words(message("run 4 pre no every 2 \"fix ppe all aleisph/ppe\""),
+               {"ix aleisph: a fix of this package was deleted", "pre yes"});
 }
 
 // Bitwise, in serial: both continue from the same numbers with a fresh set-up
