@@ -45,6 +45,7 @@ class AleisphChecks : protected Pointers {
 
  private:
   enum Fault { NOT_FINITE, OUT_OF_PLANE, MASS, SPECIAL, NO_ROLE, TWO_ROLES, BUFFER, CONTRADICTION };
+  static constexpr int FIRST_LASTING = NO_ROLE;    // those before it come with new particles only
 
   void integrator() const;
   void neighbors() const;
@@ -53,7 +54,8 @@ class AleisphChecks : protected Pointers {
   void fix_order() const;
   bool late_lists() const;
   void find_contradictions();
-  void check_arrivals(long long *atoms) const;
+  bool has(Fault fault, int i) const;
+  int contradiction(int i) const;
   template <class F> long long largest(F &&is_wrong) const;
   void refuse_close(const aleisph::CandidateList &list) const;
   bool loses_neighbors(int i) const;

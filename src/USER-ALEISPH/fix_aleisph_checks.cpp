@@ -172,51 +172,64 @@ template <class F> long long AleisphChecks::largest(F &&is_wrong) const
       atom->nlocal, [&](int i) { return is_wrong(i) ? atom->tag[i] : 0; }, 0LL);
 }
 
+// One pass where all is well; which fault it is and of which atom, is found out afterwards.
 void AleisphChecks::find_faults(bool fresh, long long *atoms) const
 {
-  const Role *role = owner_.cloud().role();
-  const int *mask = atom->mask;
-  atoms[NO_ROLE] = largest([&](int i) {
-    return !(mask[i] & owner_.groupbit) || !(role[i] & (aleisph::FLUID | aleisph::WALL));
-  });
-  atoms[TWO_ROLES] = largest([&](int i) {
-    return (role[i] & aleisph::WALL) && (role[i] & (aleisph::FLUID | aleisph::BUFFER));
-  });
-  atoms[BUFFER] = largest(
-      [&](int i) { return (role[i] & aleisph::BUFFER) && !(role[i] & aleisph::DIRICHLET); });
-  if (fresh) check_arrivals(atoms);
-  const auto &claims = owner_.scene().claims();
+  const auto is_wrong = [&](int i) {
+    for (int fault = fresh ? 0 : FIRST_LASTING; fault < FAULTS; fault++)
+      if (has(static_cast<Fault>(fault), i)) return true;
+    return false;
+  };
+  const aleisph::Rows wrong = aleisph::select_rows(atom->nlocal, is_wrong);
+  for (int fault = fresh ? 0 : FIRST_LASTING; fault < CONTRADICTION; fault++)
+    atoms[fault] = aleisph::max_rows(
+        wrong, [&](int i) { return has(static_cast<Fault>(fault), i) ? atom->tag[i] : 0; }, 0LL);
+  // the atom and the pair in one number
   const auto pairs = static_cast<long long>(contradictions_.size());
-  for (long long k = 0; k < pairs; k++) {
-    const aleisph::Claim &one = claims[contradictions_[k].first];
-    const aleisph::Claim &other = claims[contradictions_[k].second];
-    const auto concerns = [&](const aleisph::Claim &claim, int i) {
-      return (mask[i] & claim.groupbit) && (role[i] & claim.role) == claim.role;
-    };
-    // the atom and the pair in one number
-    const auto code = [&](int i) -> long long {
-      return concerns(one, i) && concerns(other, i) ? atom->tag[i] * pairs + k : 0;
-    };
-    atoms[CONTRADICTION] = aleisph::max_rows(atom->nlocal, code, atoms[CONTRADICTION]);
+  atoms[CONTRADICTION] = aleisph::max_rows(
+      wrong,
+      [&](int i) {
+        const int pair = contradiction(i);
+        return pair < 0 ? 0 : atom->tag[i] * pairs + pair;
+      },
+      0LL);
+}
+
+bool AleisphChecks::has(Fault fault, int i) const
+{
+  const Role role = owner_.cloud().role()[i];
+  switch (fault) {
+    case NOT_FINITE: {
+      const double *const x = atom->x[i], *const v = atom->v[i];
+      const auto finite = [](double value) { return std::isfinite(value); };
+      return !std::all_of(x, x + 3, finite) || !std::all_of(v, v + 3, finite);
+    }
+    case OUT_OF_PLANE: return domain->dimension == 2 && atom->v[i][2] != 0.0;
+    case MASS: {
+      const double m = particle_mass(owner_);
+      const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
+      return !(std::fabs(mass - m) <= MASS_TOLERANCE * m);
+    }
+    case SPECIAL: return atom->molecular != Atom::ATOMIC && loses_neighbors(i);
+    case NO_ROLE:
+      return !(atom->mask[i] & owner_.groupbit) || !(role & (aleisph::FLUID | aleisph::WALL));
+    case TWO_ROLES: return (role & aleisph::WALL) && (role & (aleisph::FLUID | aleisph::BUFFER));
+    case BUFFER: return (role & aleisph::BUFFER) && !(role & aleisph::DIRICHLET);
+    default: return contradiction(i) >= 0;
   }
 }
 
-void AleisphChecks::check_arrivals(long long *atoms) const
+// the last of the pairs of claims that contradict each other on this particle, -1 if there is none
+int AleisphChecks::contradiction(int i) const
 {
-  const double m = particle_mass(owner_);
-  atoms[NOT_FINITE] = largest([&](int i) {
-    const double *const x = atom->x[i], *const v = atom->v[i];
-    const auto finite = [](double value) { return std::isfinite(value); };
-    return !std::all_of(x, x + 3, finite) || !std::all_of(v, v + 3, finite);
-  });
-  atoms[OUT_OF_PLANE] = largest(
-      [&](int i) { return domain->dimension == 2 && atom->v[i][2] != 0.0; });
-  atoms[MASS] = largest([&](int i) {
-    const double mass = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]];
-    return !(std::fabs(mass - m) <= MASS_TOLERANCE * m);
-  });
-  atoms[SPECIAL] = largest(
-      [&](int i) { return atom->molecular != Atom::ATOMIC && loses_neighbors(i); });
+  const auto &claims = owner_.scene().claims();
+  const Role role = owner_.cloud().role()[i];
+  const auto concerns = [&](int k) {
+    return (atom->mask[i] & claims[k].groupbit) && (role & claims[k].role) == claims[k].role;
+  };
+  for (int k = static_cast<int>(contradictions_.size()) - 1; k >= 0; k--)
+    if (concerns(contradictions_[k].first) && concerns(contradictions_[k].second)) return k;
+  return -1;
 }
 
 // LAMMPS leaves bonded pairs with zero special_bonds weights out of all neighbor lists
