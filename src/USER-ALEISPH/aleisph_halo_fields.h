@@ -33,11 +33,15 @@
 #include <string>
 #include <vector>
 
+namespace aleisph {
+class Ranks;
+}
+
 namespace LAMMPS_NS {
 
 class AleisphFields : protected Pointers {
  public:
-  explicit AleisphFields(LAMMPS *lmp) : Pointers(lmp) {}
+  AleisphFields(LAMMPS *lmp, const aleisph::Ranks &ranks) : Pointers(lmp), ranks_(ranks) {}
 
   void add_properties();    // by the owner's post_constructor()
   void delete_properties();
@@ -88,6 +92,7 @@ class AleisphFields : protected Pointers {
   // of atoms for which this does not hold, the largest ID of all ranks; 0 if there is none
   template <class Predicate> tagint violating(Predicate holds) const;
 
+  const aleisph::Ranks &ranks_;
   std::map<std::string, std::string> writers_;       // of this run
   std::map<std::string, std::uint32_t> owned_by_;    // a checksum of them, of the run before
   std::set<std::string> kept_;

@@ -38,7 +38,7 @@ FixAleisph::FixAleisph(LAMMPS *lmp, int narg, char **arg) :
     fluid_(std::make_unique<aleisph::FluidProperties>()),
     timers_(std::make_unique<aleisph::Timers>()), scene_(std::make_unique<aleisph::Scene>()),
     ranks_(std::make_unique<aleisph::Ranks>(world, *timers_)),
-    fields_(std::make_unique<AleisphFields>(lmp)),
+    fields_(std::make_unique<AleisphFields>(lmp, *ranks_)),
     checks_(std::make_unique<AleisphChecks>(lmp, *this)),
     warnings_(std::make_unique<AleisphWarnings>(lmp, *this)), halo_plan_(nullptr)
 {

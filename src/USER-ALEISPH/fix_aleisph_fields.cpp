@@ -6,6 +6,7 @@
 
 #include "aleisph_halo_fields.h"
 
+#include "aleisph_mpi_ranks.h"
 #include "aleisph_record.h"
 #include "atom.h"
 #include "domain.h"
@@ -103,9 +104,7 @@ template <class Predicate> tagint AleisphFields::violating(Predicate holds) cons
 {
   const tagint mine = aleisph::max_rows(
       atom->nlocal, [&](int i) { return holds(i) ? 0 : atom->tag[i]; }, tagint(0));
-  tagint all = 0;
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-  return all;
+  return static_cast<tagint>(ranks_.largest(mine));
 }
 
 void AleisphFields::check_kept() const
