@@ -15,7 +15,6 @@ namespace {
 const std::string SHIFT = "fix shift fluid aleisph/shift density velocity 1.0\n";
 const std::string GUARD = "fix guard fluid aleisph/guard collision 0.5\n";
 const std::string FIELD = "compute u all aleisph/atom ux uy\n";
-const std::string AFTER_RESTART = "\nneighbor 0.03 bin\n";
 
 Scene disordered()
 {
@@ -29,6 +28,21 @@ std::string base(const Scene &scene)
   script.predictor += " frame ale nu 0.01";
   script.timestep = "timestep 0.002";
   return "neighbor 0.03 bin\n" + script.text();
+}
+
+// the name of a restart file of the scene after some steps with these fixes
+std::string saved(const Scene &scene, const std::string &fixes, const std::string &name)
+{
+  const std::string file = scratch_file(name + ".restart");
+  Simulation sim(scene);
+  sim.run(fixes + "run 3\nwrite_restart " + file);
+  return file;
+}
+
+// what begins a run that goes on from it
+std::string continued(const std::string &file, const std::string &fixes)
+{
+  return "read_restart " + file + "\nneighbor 0.03 bin\n" + fixes;
 }
 
 double largest_shift(const Simulation &sim)
@@ -58,11 +72,9 @@ TEST(State, ShiftVelocityEndsWithItsFix)
 TEST(State, ShiftVelocityEndsWithARestartWithoutItsFix)
 {
   const Scene scene = disordered();
-  const std::string file = scratch_file("stale.restart");
-  Simulation first(scene), second;
-  first.run(base(scene) + SHIFT + GUARD + FIELD + "run 3\nwrite_restart " + file);
-  second.run("read_restart " + file + AFTER_RESTART + base(scene) + GUARD + FIELD);
-  second.run("run 0");
+  const std::string file = saved(scene, base(scene) + SHIFT + GUARD, "stale");
+  Simulation second;
+  second.run(continued(file, base(scene) + GUARD + FIELD) + "run 0");
   EXPECT_EQ(largest_shift(second), 0.0);
   const auto before = second.x(0);
   second.run("run 20");
@@ -95,11 +107,11 @@ TEST(State, ShiftVelocityIsFoundAgainForANewPredictor)
 TEST(State, ShiftVelocityStaysWithItsFix)
 {
   const Scene scene = disordered();
-  const std::string file = scratch_file("kept.restart");
+  const std::string fixes = base(scene) + SHIFT + FIELD;
   Simulation one(scene), two(scene), restarted;
-  one.run(base(scene) + SHIFT + FIELD + "run 6");
-  two.run(base(scene) + SHIFT + FIELD + "run 3\nwrite_restart " + file + "\nrun 3");
-  restarted.run("read_restart " + file + AFTER_RESTART + base(scene) + SHIFT + FIELD + "run 3");
+  one.run(fixes + "run 6");
+  two.run(fixes + "run 3\nrun 3");
+  restarted.run(continued(saved(scene, fixes, "kept"), fixes) + "run 3");
   EXPECT_LT(largest(one.x(0), two.x(0)), 1e-12);
   EXPECT_LT(largest(one.x(0), restarted.x(0)), 1e-12);
   EXPECT_GT(largest_shift(restarted), 0.1);
@@ -221,10 +233,8 @@ std::string all_records(const Scene &scene)
 TEST(State, DamagedRecordsAreRefused)
 {
   const Scene scene = disordered();
-  const std::string file = scratch_file("right.restart"), bad = scratch_file("bad.restart");
-  Simulation first(scene);
-  first.run(all_records(scene) + "run 2\nwrite_restart " + file);
-  const std::string right = read_text(file);
+  const std::string bad = scratch_file("bad.restart");
+  const std::string right = read_text(saved(scene, all_records(scene), "right"));
   const auto places = records_of(right);
   ASSERT_EQ(places.size(), 5u);    // aleisph, predictor, shift, guard, dt
   const double infinity = std::numeric_limits<double>::infinity();
@@ -235,7 +245,7 @@ TEST(State, DamagedRecordsAreRefused)
                    sizeof(value));
       write_text(bad, text);
       Simulation second;
-      expect_words(second.error_of("read_restart " + bad + AFTER_RESTART + all_records(scene)),
+      expect_words(second.error_of(continued(bad, all_records(scene))),
                    {"ix aleisph", "the state of fix ", "in the restart file is damaged",
                     "give the fix another ID"});
     }
@@ -246,11 +256,11 @@ TEST(State, DamagedRecordsAreRefused)
   older.replace(places[0], sizeof(known), reinterpret_cast<const char *>(&known), sizeof(known));
   write_text(bad, older);
   Simulation second;
-  expect_words(second.error_of("read_restart " + bad + AFTER_RESTART + all_records(scene)),
+  expect_words(second.error_of(continued(bad, all_records(scene))),
                {"ix aleisph: the state of fix sph", "version before", "another ID"});
   // the remedy
   Simulation third;
   std::string renamed = all_records(scene);
   renamed.replace(renamed.find("fix sph"), 7, "fix own");
-  EXPECT_EQ(third.error_of("read_restart " + bad + AFTER_RESTART + renamed + "run 1"), "");
+  EXPECT_EQ(third.error_of(continued(bad, renamed) + "run 1"), "");
 }
