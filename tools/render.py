@@ -240,6 +240,28 @@ def parse():
     return parser.parse_args()
 
 
+def overlap(one, other):
+    return one.get_window_extent().overlaps(other.get_window_extent())
+
+
+def clear_factors(figure):
+    """Moves what lies on the factor of an axis (such as 1e7, also that of the colors): titles
+    upwards, the names of horizontal axes downwards."""
+    figure.canvas.draw()
+    points = 72.0 / figure.dpi
+    factors = [axis.offsetText for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)
+               if axis.offsetText.get_text()]
+    for axes in figure.axes:
+        below = [factor.get_window_extent() for factor in factors
+                 if overlap(axes.xaxis.label, factor)]
+        if below:
+            axes.xaxis.labelpad += points * max(box.height for box in below)
+        tops = [factor.get_window_extent().y1 for factor in factors if overlap(axes.title, factor)]
+        if tops:
+            pad = points * (max(tops) - axes.get_window_extent().y1)
+            axes.set_title(axes.get_title(), pad=pad + plt.rcParams["axes.titlepad"])
+
+
 def save(figure, path):
     """A PNG with a palette: a third of the size of one with full colors."""
     with io.BytesIO() as buffer:
@@ -265,6 +287,7 @@ def draw(options):
     if options.profile:
         kind, *parameters = options.profile
         draw_profile(axes[0][-1], frames, kind, [float(word) for word in parameters])
+    clear_factors(figure)
     save(figure, options.picture)
 
 

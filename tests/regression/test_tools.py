@@ -151,6 +151,40 @@ class Render(unittest.TestCase):
         self.assertGreater(np.mean(np.ptp(colors, axis=2) > 30), 0.1)
 
 
+class Factors(unittest.TestCase):
+    def picture(self, columns, rows, d, u):
+        """The figure of a lattice with a few values far off the colors."""
+        size = columns * rows
+        lines = [f"{k + 1} 1 {d * (k % columns)} {d * (k // columns)} 0 {u * (k if k % 7 else 1e4)} 0 0"
+                 for k in range(size)]
+        Path("factors.dump").write_text("\n".join(
+            ["ITEM: TIMESTEP", "0", "ITEM: TIME", "0.1234", "ITEM: NUMBER OF ATOMS", str(size),
+             "ITEM: BOX BOUNDS pp pp pp", "0 2", "0 2", "0 2", "ITEM: ATOMS id type x y z vx vy vz",
+             *lines, ""]))
+        words = ["render.py", "factors.dump", "factors.png", "--fields", "vx", "--units", "m/s",
+                 "--limits", "vx", "0", str(u * size)]
+        with mock.patch("sys.argv", words), mock.patch.object(render, "save") as save, \
+                contextlib.redirect_stderr(io.StringIO()):
+            render.main()
+        return save.call_args.args[0]
+
+    def test_nothing_lies_on_the_factor_of_an_axis(self):
+        for columns, rows in ((4, 40), (20, 20), (40, 8)):
+            for d in (1e-4, 1.0):
+                for u in (1.0, 1e5, 1e-9):
+                    figure = self.picture(columns, rows, d, u)
+                    figure.canvas.draw()
+                    words = [text for axes in figure.axes for text in
+                             (axes.title, axes.xaxis.label, axes.yaxis.label) if text.get_text()]
+                    factors = [axis.offsetText for axes in figure.axes
+                               for axis in (axes.xaxis, axes.yaxis) if axis.offsetText.get_text()]
+                    self.assertIn("off the colors", words[0].get_text())
+                    on = [(one.get_text(), other.get_text()) for one in words for other in factors
+                          if render.overlap(one, other)]
+                    self.assertEqual(on, [], (columns, rows, d, u))
+                    render.plt.close(figure)
+
+
 class Strays(unittest.TestCase):
     """A picture of 400 particles on a lattice, u = x, to which some are added."""
 
