@@ -157,4 +157,12 @@ check "in-tree: the package is reached" yes \
 check "in-tree: another directory is refused" 1 \
   "$(bash "$setup/in_tree.sh" "$work/apt" >/dev/null 2>&1; echo $?)"
 
+check "the threads of a program do not limit the build" "$(OMP_NUM_THREADS=1 bash -c \
+  ". '$setup/lib.sh'; cores")" "$(OMP_NUM_THREADS=7 bash -c ". '$setup/lib.sh'; cores")"
+first_core=$(taskset -cp $$ | sed 's/.*: //; s/[-,].*//')
+check "the cores that a process is bound to do" 1 \
+  "$(taskset -c "$first_core" bash -c ". '$setup/lib.sh'; cores")"
+check "that is what is built with" "$(cores)" \
+  "$(ALEISPH_JOBS='' bash -c ". '$setup/lib.sh'; echo \"\$ALEISPH_JOBS\"")"
+
 [ "$failures" -eq 0 ] && echo "all passed"

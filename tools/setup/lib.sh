@@ -4,7 +4,11 @@
 # Everything a person reads goes to stderr; stdout carries only results.
 
 ALEISPH_CACHE=${ALEISPH_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/aleisph}
-ALEISPH_JOBS=${ALEISPH_JOBS:-$(nproc)}
+
+# Those that this process may use, whatever a user has set for the threads of a program
+cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
+
+ALEISPH_JOBS=${ALEISPH_JOBS:-$(cores)}
 
 say() { printf '==> %s\n' "$*" >&2; }
 die() {
