@@ -3,11 +3,12 @@
 """Shape and pressure of examples/square-patch: square_patch.py FILE... --print FILE | --plot PNG
 
 --print, of the last frame of a dump, as LAMMPS commands:
-  area      of the region where the kernel sum V sum_j W exceeds 1/2, counted on a fine grid
+  area      of the region where the kernel sum V sum_j W exceeds 1/2, counted on a fine grid;
+            reference: the volume of the particles
   surface   number of surface particles; reference: length of the edge of that region over d
   outline   distance of the surface from the exact outline, at times it is known for, in spacings.
-            The surface lies half a spacing outside the surface particles. The outer fifth of the
-            arms, which are a few spacings thick, is left out.
+            The surface lies half a spacing outside the surface particles, or what --inset says. The
+            outer fifth of the arms, which are a few spacings thick, is left out.
 --plot: pressure at the centre in one or several files series.square-patch over the exact one
 (needs matplotlib; Debian: python3-matplotlib)
 """
@@ -95,9 +96,10 @@ def distance(z, piece):
     return best
 
 
-def outline_error(rows, pieces, d, radius):
-    """(rms, largest) distance of the surface from the outline within a radius, in spacings."""
-    surface = [complex(row["x"] + 0.5 * d * row["nx"], row["y"] + 0.5 * d * row["ny"])
+def outline_error(rows, pieces, d, radius, inset=0.5):
+    """(rms, largest) distance of the surface from the outline within a radius, in spacings. inset:
+    how far particles of the surface are inside of it."""
+    surface = [complex(row["x"] + inset * d * row["nx"], row["y"] + inset * d * row["ny"])
                for row in rows if row["surface"]]
     errors = [min(distance(z, piece) for piece in pieces) / d for z in surface if abs(z) < radius]
     if not errors:
@@ -109,18 +111,19 @@ def line(quantity, time, *more):
     return print_command(["case=square-patch", f"quantity={quantity}", f"time={time:g}", *more])
 
 
-def result_lines(dump, time, d, side):
+def result_lines(dump, time, d, side, inset=0.5):
     rows = last_frame(dump)
     area, edge = area_and_edge(kernel_sum([(row["x"], row["y"]) for row in rows], d), d / CELLS)
     count = sum(row["surface"] != 0 for row in rows)
-    yield line("area", time, f"value={area / side**2:.5f}", "reference=1")
+    yield line("area", time, f"value={area / side**2:.5f}",
+               f"reference={len(rows) * d**2 / side**2:.6g}")
     yield line("surface", time, f"value={count}", f"reference={edge / d:.1f}")
     pieces = exact_outline(time, side)
     if pieces:
         radius = 0.8 * math.sqrt(0.5 * (1.0 + time**2)) * side
 
         def outline():
-            rms, largest = outline_error(rows, pieces, d, radius)
+            rms, largest = outline_error(rows, pieces, d, radius, inset)
             return [line("outline", time, f"l2={rms:.3f}", f"linf={largest:.3f}")]
         yield from attempt(["outline"], outline, lambda name, value: line(name, time, value))
 
@@ -152,11 +155,14 @@ def main():
     parser.add_argument("--time", type=float, help="omega t of the last frame")
     parser.add_argument("-d", type=float, help="particle spacing")
     parser.add_argument("-L", type=float, help="side of the square")
+    parser.add_argument("--inset", type=float, default=0.5,
+                        help="of surface particles from the surface, in spacings")
     parser.add_argument("--print", dest="output", metavar="FILE")
     parser.add_argument("--plot", metavar="PICTURE")
     options = parser.parse_args()
     if options.output:
-        lines = list(result_lines(options.files[0], options.time, options.d, options.L))
+        lines = list(result_lines(options.files[0], options.time, options.d, options.L,
+                                  options.inset))
         Path(options.output).write_text("".join(lines), encoding="ascii")
     if options.plot:
         plot(options.files, options.plot)

@@ -57,9 +57,9 @@ struct Scene {
 
 class DensityShift {
  public:
-  DensityShift(const Scene &scene, const double *eps) :
-      c_(scene), eps_(eps), reach_(nearest_reach(scene.s.dim(), scene.d)),
-      shape_(scene.kernel, scene.d)
+  DensityShift(const Scene &scene, const double *eps, const double *normal) :
+      c_(scene), eps_(eps), normal_(normal ? normal : scene.normal),
+      reach_(nearest_reach(scene.s.dim(), scene.d)), shape_(scene.kernel, scene.d)
   {
   }
 
@@ -73,12 +73,13 @@ class DensityShift {
   }
 
  private:
-  // eps_i + eps_j; the deviation of a particle that is not in the fluid is not known (a raw wall
-  // density would draw the fluid into the wall), it is that of i
+  // eps_i + eps_j, or 2 eps_j; the deviation of a particle that is not in the fluid is not known (a
+  // raw wall density would draw the fluid into the wall), it is that of i
   double pair(int i, int j) const
   {
     const bool known = (c_.role[j] & FLUID) && !(c_.role[j] & (WALL | BUFFER));
-    const double q = eps_[i] + (known ? eps_[j] : eps_[i]);
+    const double eps_j = known ? eps_[j] : eps_[i];
+    const double q = (c_.params.printed_pair ? eps_j : eps_[i]) + eps_j;
     const bool surface = c_.on_surface(i) || c_.on_surface(j);
     return surface && c_.params.positive_surface ? std::max(q, 0.0) : q;
   }
@@ -94,7 +95,7 @@ class DensityShift {
       even += c_.volume * c_.kernel.w(s.r()[k]) * e;
       density += pair(i, s.col()[k]) * e;
     }
-    if (c_.on_surface(i)) even = tangential(even, at(c_.normal, i));
+    if (c_.on_surface(i)) even = tangential(even, at(normal_, i));
     return even + density;
   }
 
@@ -117,7 +118,7 @@ class DensityShift {
   }
 
   const Scene &c_;
-  const double *eps_;
+  const double *eps_, *normal_;
   double reach_;
   SurfaceShape shape_;
 };
@@ -235,10 +236,11 @@ inline Vec apply(const double *gradient, const Vec &r)
 }    // namespace
 
 ShiftCount compute_shift(const Cloud &cloud, const ShiftParams &params, const double *eps,
-                         const double *v, double *dr)
+                         const double *v, double *dr, const double *normal)
 {
   const Scene scene(cloud, params);
-  if (params.model == ShiftModel::DENSITY) return shift_rows(scene, DensityShift(scene, eps), dr);
+  if (params.model == ShiftModel::DENSITY)
+    return shift_rows(scene, DensityShift(scene, eps, normal), dr);
   return shift_rows(scene, ConcentrationShift(scene, v), dr);
 }
 

@@ -8,7 +8,9 @@
               dr = C h (dr_w + dr_dens),
               dr_w = sum_{S*} V W_ij e_ij, without its normal part on the surface,
               dr_dens = sum_{S*} (eps_i + eps_j) e_ij,   S*: |r_ij| < 1.1 sqrt(dim) d
-            published: rho* is summed over S* and eps = rho* - 1 everywhere.
+            published: rho* is summed over S* and eps = rho* - 1 everywhere. Eq 23 is printed with
+            the index j twice: 2 eps_j; the normal is that of eq 25, aleisph_eigenvalue_normal.h.
+            Both can be as in the accurate form: eps_i + eps_j, the gradient of the color function.
             accurate: rho* is summed over the full support; eps = rho* - flat on the surface,
             with the value on a flat surface; a position filter smooths the surface:
               dr += smoothing * b_i N_i,
@@ -47,7 +49,8 @@ enum class ShiftModel { DENSITY, OPS, FICKIAN, TVF };
 
 struct ShiftParams {
   ShiftModel model = ShiftModel::DENSITY;
-  bool published = false;           // density model as printed
+  bool published = false;           // density model: S*, eps = rho* - 1
+  bool printed_pair = false;        // eq 23 as printed, 2 eps_j
   bool positive_surface = false;    // pairs with a surface member: max(eps_i + eps_j, 0)
   double coefficient = 0.0;         // C, of this step
   double smoothing = 0.0;           // of the surface positions, of this step; accurate density only
@@ -83,9 +86,10 @@ void density_deviation(const Cloud &cloud, bool published, double *eps,
 // dr of the fluid rows (3 per particle); zero on ballistic ones, which count as neighbours all the
 // same. A wall or buffer neighbour has the deviation of the particle itself: its own would draw the
 // fluid into the wall. eps (owned and ghost) is read by the density model only, v (owned) by tvf
-// only; what is not read may be null.
+// only; what is not read may be null. normal (owned): of the surface, in the published form; null:
+// those of the cloud.
 ShiftCount compute_shift(const Cloud &cloud, const ShiftParams &params, const double *eps,
-                         const double *v, double *dr);
+                         const double *v, double *dr, const double *normal = nullptr);
 
 // The velocity filter of the accurate density model: acceleration-like sum
 //   out_i = sum_j V W_ij (v_j - v_i + (grad v_i + grad v_j).r_ij/2)

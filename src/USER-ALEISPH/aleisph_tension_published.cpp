@@ -2,27 +2,12 @@
 
 #include "aleisph_tension_published.h"
 
+#include "aleisph_eigenvalue_normal.h"
 #include "aleisph_tension_parts.h"
-
-#include <algorithm>
 
 namespace aleisph {
 
 using Vec3 = Eigen::Vector3d;
-
-void eigenvalue_gradient(const Cloud &cloud, const Rows &rows, const double *lambda, double *N)
-{
-  const Stencil &s = cloud.stencil();
-  const GradientWeights &g = cloud.gradient();
-  for_rows(rows, [&](int i) {
-    Direction outward;
-    for (int k = s.begin(i); k < s.end(i); k++) {
-      const Vec3 g_ij = pair_gradient(s, g, i, k);
-      outward.add((lambda[i] - lambda[s.col()[k]]) * g_ij);
-    }
-    outward.store(N, i);
-  });
-}
 
 CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const double *N,
                                    double factor, double *K)
@@ -52,17 +37,8 @@ CurvatureCount published_curvature(const Cloud &cloud, const Rows &rows, const d
 void PublishedTension::find_normals(const TensionScene &scene)
 {
   double *N = result_.N.data();
-  lambda_.assign(result_.K.size(), 0.0);
-  const GradientWeights &g = scene.cloud.gradient();
-  for_rows(scene.cloud.all(), [&](int i) { lambda_[i] = g.lambda(i); });
-  scene.exchange(lambda_.data(), 1);
-  eigenvalue_gradient(scene.cloud, result_.rows, lambda_.data(), N);
-  result_.undirected = normalise(result_.rows, N);
-  const std::vector<double> &contact = result_.contact;
-  if (!contact.empty())    // Morikawa, Tsuji & Asai, Fig. 9
-    for_rows(result_.rows, [&](int i) {
-      if (contact[4 * i + 3] > 0.0) std::copy_n(&contact[4 * i], 3, &N[3 * i]);
-    });
+  const double *contact = result_.contact.empty() ? nullptr : result_.contact.data();
+  result_.undirected = eigenvalue_normals(scene.cloud, result_.rows, contact, scene.exchange, N);
   scene.exchange(N, 3);
 }
 
@@ -70,11 +46,6 @@ void PublishedTension::find_curvature(const TensionScene &scene)
 {
   result_.count = published_curvature(scene.cloud, result_.rows, result_.N.data(), factor_,
                                       result_.K.data());
-}
-
-double PublishedTension::bytes() const
-{
-  return TensionModel::bytes() + sizeof(double) * lambda_.size();
 }
 
 }    // namespace aleisph

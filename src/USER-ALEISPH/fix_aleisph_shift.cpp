@@ -6,6 +6,7 @@
 
 #include "fix_aleisph_shift.h"
 
+#include "aleisph_eigenvalue_normal.h"
 #include "aleisph_halo_owner.h"
 #include "aleisph_halo_record.h"
 #include "aleisph_halo_variable.h"
@@ -15,7 +16,6 @@
 #include "domain.h"
 #include "error.h"
 #include "update.h"
-#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,14 +30,11 @@ namespace {
 
 constexpr char SHIFT[] = "aleisph_u";
 
-// rates of the density model, per U dt/d: with a free surface, where more flips particles of the
-// second layer between surface and fluid, and as published
-constexpr double RATE_SURFACE = 0.3, RATE_PUBLISHED = 0.1;
-constexpr double SMOOTHING = 1.5, MAX_SMOOTHING = 0.5;    // a share per step above 1/2 overshoots
-constexpr double FILTER = 3.0, MAX_FILTER = 1.0;
-// Beyond, a value is a slip of the pen: all act in full long before, or reach past the support.
-constexpr double MAX_RATE = 1.0e4, MAX_DISTANCE = 10.0;    // per U dt/d; in spacings
-constexpr double MAX_VELOCITY = 1.0e4;                     // spacings in a time step
+// rate of the density model with a free surface, per U dt/d: more flips particles of the second layer
+// between surface and fluid
+constexpr double RATE_SURFACE = 0.3;
+constexpr double MAX_SMOOTHING = 0.5, MAX_FILTER = 1.0;    // a larger share per step overshoots
+constexpr double MAX_VELOCITY = 1.0e4;    // spacings in a time step; beyond, a slip of the pen
 // off walls, in spacings per U dt/d, and per step
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
@@ -55,9 +52,9 @@ double dot(const double *a, const double *b)
 }    // namespace
 
 FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), params_(std::make_unique<aleisph::ShiftParams>()), rate_(-1.0),
-    step_(-1.0), smoothing_(-1.0), filter_(-1.0), owner_(nullptr), started_(false),
-    coefficient_(0.0), limited_total_(0.0), limited_(0)
+    Fix(lmp, narg, arg), params_(std::make_unique<aleisph::ShiftParams>()),
+    eigenvalue_normal_(false), rate_(-1.0), step_(-1.0), smoothing_(-1.0), filter_(-1.0),
+    owner_(nullptr), started_(false), coefficient_(0.0), limited_total_(0.0), limited_(0)
 {
   parse(narg, arg);
   restart_global = 1;
@@ -70,94 +67,6 @@ FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
 FixAleisphShift::~FixAleisphShift()
 {
   set_up_next_run(update);
-}
-
-void FixAleisphShift::parse(int narg, char **arg)
-{
-  if (narg < 4) utils::missing_cmd_args(FLERR, "fix aleisph/shift", error);
-  const std::string model = arg[3];
-  if (model == "density")
-    params_->model = ShiftModel::DENSITY;
-  else if (model == "ops")
-    params_->model = ShiftModel::OPS;
-  else if (model == "fickian")
-    params_->model = ShiftModel::FICKIAN;
-  else if (model == "tvf")
-    params_->model = ShiftModel::TVF;
-  else
-    error->all(FLERR, "Fix aleisph/shift: model must be density, ops, fickian or tvf, not {}",
-               model);
-
-  std::set<std::string> words;
-  for (int iarg = 4; iarg < narg; iarg += 2) {
-    const std::string key = arg[iarg];
-    words.insert(key);
-    if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "fix aleisph/shift " + key, error);
-    const std::string value = arg[iarg + 1];
-    const auto positive = [&]() {
-      const double x = utils::numeric(FLERR, value, false, lmp);
-      if (!(x >= 0.0) || !std::isfinite(x))
-        error->all(FLERR, "Fix aleisph/shift: {} must not be negative, it is {}", key, value);
-      return x;
-    };
-    const auto at_most = [&](double most) {
-      const double x = positive();
-      if (x > most)
-        error->all(FLERR, "Fix aleisph/shift: {} must be at most {}, it is {}", key, most, value);
-      return x;
-    };
-    if (key == "variant") {
-      if (value != "accurate" && value != "published")
-        error->all(FLERR, "Fix aleisph/shift: variant must be accurate or published, not {}",
-                   value);
-      params_->published = value == "published";
-    } else if (key == "rate") {
-      rate_ = at_most(MAX_RATE);
-    } else if (key == "step") {
-      step_ = at_most(MAX_RATE);
-    } else if (key == "velocity") {
-      velocity_.reset();
-      scale_.clear();
-      if (value == "max" || value == "head") {
-        scale_ = value;
-      } else {
-        if (!utils::strmatch(value, "^v_")) positive();
-        velocity_ = std::make_unique<AleisphVariable>(lmp, "Fix aleisph/shift", "keyword velocity",
-                                                      AleisphVariable::Kind::EQUAL, value);
-      }
-    } else if (key == "surface") {
-      if (value != "full" && value != "positive")
-        error->all(FLERR, "Fix aleisph/shift: surface must be full or positive, not {}", value);
-      params_->positive_surface = value == "positive";
-    } else if (key == "smoothing") {
-      smoothing_ = at_most(MAX_RATE);
-    } else if (key == "filter") {
-      filter_ = at_most(MAX_RATE);
-    } else if (key == "walls") {
-      params_->wall_distance = at_most(MAX_DISTANCE);
-    } else if (key == "limit") {
-      params_->limit = at_most(MAX_DISTANCE);
-    } else
-      error->all(FLERR, "Fix aleisph/shift: unknown keyword {}", key);
-  }
-  check_keywords(words);
-  const bool accurate = params_->model == ShiftModel::DENSITY && !params_->published;
-  if (smoothing_ < 0.0) smoothing_ = accurate ? SMOOTHING : 0.0;
-  if (filter_ < 0.0) filter_ = accurate ? FILTER : 0.0;
-}
-
-// what would have no effect is not taken silently
-void FixAleisphShift::check_keywords(const std::set<std::string> &words) const
-{
-  const bool density = params_->model == ShiftModel::DENSITY;
-  for (const char *key : {"variant", "surface"})
-    if (words.count(key) && !density)
-      error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density", key);
-  for (const char *key : {"smoothing", "filter"})
-    if (words.count(key) && (!density || params_->published))
-      error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density, variant accurate", key);
-  if (words.count("rate") && words.count("step"))
-    error->all(FLERR, "Fix aleisph/shift: use either keyword rate or keyword step");
 }
 
 int FixAleisphShift::setmask()
@@ -192,7 +101,6 @@ double FixAleisphShift::rate() const
 {
   if (rate_ >= 0.0) return rate_;
   if (params_->model != ShiftModel::DENSITY) return RATE_FULL;
-  if (params_->published) return RATE_PUBLISHED;
   return owner_->scene().surface().present ? RATE_SURFACE : RATE_FULL;
 }
 
@@ -280,7 +188,8 @@ void FixAleisphShift::shift()
     owner_->ranks().forward(eps_.data(), 1);
   }
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-  const auto count = aleisph::compute_shift(cloud, *params_, eps_.data(), v, dr_.data());
+  const auto count = aleisph::compute_shift(cloud, *params_, eps_.data(), v, dr_.data(),
+                                            find_normals());
   limited_ = count.limited;
   limited_total_ += count.limited;
 
@@ -290,6 +199,19 @@ void FixAleisphShift::shift()
   });
   owner_->fields().require_finite(dr_.data(), "Fix aleisph/shift", "shift");
   started_ = true;
+}
+
+// of eq 25; null: those of the cloud
+const double *FixAleisphShift::find_normals()
+{
+  if (!eigenvalue_normal_ || !owner_->scene().surface().present) return nullptr;
+  const auto &cloud = owner_->cloud();
+  const auto *tension = owner_->scene().tension();
+  normal_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
+  aleisph::eigenvalue_normals(
+      cloud, aleisph::surface_rows(cloud), tension ? tension->contact() : nullptr,
+      [this](double *field, int n) { owner_->ranks().forward(field, n); }, normal_.data());
+  return normal_.data();
 }
 
 /* ----------------------------------------------------------------------
@@ -364,5 +286,6 @@ double FixAleisphShift::compute_vector(int n)
 
 double FixAleisphShift::memory_usage()
 {
-  return sizeof(double) * (eps_.size() + dr_.size() + grad_v_.size() + work_.size());
+  return sizeof(double) *
+      (eps_.size() + dr_.size() + grad_v_.size() + work_.size() + normal_.size());
 }

@@ -51,7 +51,9 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   void parse(int narg, char **arg);
   void check_keywords(const std::set<std::string> &words) const;
   void add_acceleration(double *a) override;
+  void set_defaults(const std::set<std::string> &words);
   void shift();
+  const double *find_normals();
   double velocity_scale();
   double largest_speed() const;
   double head() const;
@@ -61,6 +63,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double dt_over_d() const;
 
   std::unique_ptr<aleisph::ShiftParams> params_;
+  bool eigenvalue_normal_;                       // N of eq 25
   double rate_, step_;                           // C = rate() U dt/d, or step; < 0: not given
   double smoothing_, filter_;                    // rates, < 0: the variant's own
   std::unique_ptr<AleisphVariable> velocity_;    // U, null if not given as a number or variable
@@ -69,7 +72,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   bool started_;    // d2_aleisph_u has been set, now or before a restart
   double coefficient_, limited_total_;
   int limited_;
-  std::vector<double> eps_, dr_, grad_v_, work_;
+  std::vector<double> eps_, dr_, grad_v_, work_, normal_;
   aleisph::Rows rows_;    // on or next to the surface
 };
 

@@ -29,20 +29,6 @@ class PublishedTest : public testing::TestWithParam<int> {
   int dim_ = GetParam();
 };
 
-// The corrected gradient is exact for linear fields
-TEST_P(PublishedTest, EigenvalueGradientPointsDownALinearField)
-{
-  const PointSet points = block(dim_, 3, 5);
-  const Cloud cloud = make_cloud(Kernel(KernelType::CUBIC_SPLINE, dim_, H), D, points);
-  const Eigen::Vector3d slope(3.0, -2.0, dim_ == 3 ? 1.0 : 0.0);
-  std::vector<double> N(3 * points.total());
-  const auto lambda = sample(
-      points, [&slope](const Point &x) { return 0.9 + slope.dot(Eigen::Vector3d::Map(x.data())); });
-  eigenvalue_gradient(cloud, points.rows(), lambda.data(), N.data());
-  for (int i : points.rows())
-    EXPECT_LT((at(N.data(), i) + slope).norm(), ROUNDING / D) << i;    // lambda is 1, known to eps
-}
-
 // eq 27 against a loop; K = (dim - 1) kappa, bounded by 1/d
 TEST_P(PublishedTest, CurvatureIsTheSumOverTheSurface)
 {

@@ -5,7 +5,9 @@ that are known exactly, and the reference pressure in the script against its tab
 
 import math
 import re
+import tempfile
 import unittest
+from pathlib import Path
 
 import square_patch
 from example import TOP
@@ -92,6 +94,24 @@ class Shape(unittest.TestCase):
             # d^2/(2R); the line is straight but for its waist, R > 0.2
             self.assertAlmostEqual(rms, exact, delta=0.05)
             self.assertAlmostEqual(largest, exact, delta=0.05)
+            # particles that are the surface: they are half a spacing inside of it, or outside
+            for error in square_patch.outline_error(rows, pieces, d, 0.8, 0.0):
+                self.assertAlmostEqual(error, 0.5, delta=0.05)
+
+    def test_volume_of_the_particles(self):
+        """A row more: the reference of the area is (n + 1)^2 d^2, and so is the area."""
+        n, d = 20, 0.05
+        with tempfile.TemporaryDirectory() as folder:
+            dump = Path(folder) / "dump"
+            atoms = [f"{x - 0.5 - d / 2} {y - 0.5 - d / 2} 0 0 0" for x, y in square(n + 1, d)]
+            dump.write_text("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n"
+                            f"{len(atoms)}\nITEM: BOX BOUNDS ss ss pp\n-1 1\n-1 1\n-1 1\n"
+                            "ITEM: ATOMS x y nx ny surface\n" + "\n".join(atoms) + "\n")
+            area = next(square_patch.result_lines(dump, 0.1, d, 1.0, 0.0))
+        value, reference = (float(re.search(rf" {key}=(\S+)", area)[1].strip('"'))
+                            for key in ("value", "reference"))
+        self.assertAlmostEqual(reference, (1 + d)**2, places=5)
+        self.assertAlmostEqual(value / reference, 1.0, delta=0.025)
 
 
 class Reference(unittest.TestCase):

@@ -24,10 +24,20 @@ class Patch(unittest.TestCase):
                 self.assertLess(abs(number(row) / number(row, "reference") - 1), share, quantity)
 
     def test_published(self):
-        """p = 0 half a spacing inside the surface costs p0 (1 - (1 - d/L)^2) = 5.8e-3 alone."""
-        run = last("square-patch", d=0.02, variant="published")
+        """As printed, dt = 1 ms: the area is kept within 2 %, measured +0.7 %; the error of p0 grows to
+        7.3e-3."""
+        run = last("square-patch", d=0.02, cfl=0.0354, variant="published")
+        self.assertLess(abs(number(run["area"]) / number(run["area"], "reference") - 1), 0.02)
+        self.assertLess(number(run["p-deviation"], "linf"), 15e-3)
+
+    def test_published_with_the_other_readings(self):
+        """p = 0 half a spacing inside the surface costs p0 (1 - (1 - d/L)^2) = 5.8e-3 alone; with
+        eq 23 symmetric the fluid contracts, by 3.4 %."""
+        run = last("square-patch", d=0.02, variant="published", pair="symmetric", normal="color",
+                   layer="inside", rate=0.1)
         self.assertGreater(number(run["p-deviation"], "linf"), 5.8e-3)
         self.assertLess(number(run["p-deviation"], "linf"), 15e-3)
+        self.assertLess(number(run["area"]), 0.98)
 
 
 class Tank(unittest.TestCase):
