@@ -11,6 +11,10 @@
      velocity       atom->v        [velocity]    ghosts
      wall velocity  d2_aleisph_vw  [velocity]    of owned walls at the end of the last step
      wall normals   d2_aleisph_n   3 components and shape of owned walls, while no wall moves
+     memory         d2_aleisph_gp  [pressure/length] on owned fluid that moves: pressure gradient less
+                                   body force, as they acted in the last step. 4th component, on
+                                   walls, too: NEW, SOLVED or MET
+     given back     d_aleisph_gb   [pressure/length^2] of owned particles: aleisph_solve_leftover.h
    and, of the present positions only:
      predicted      v*             [velocity]    ghosts
      row types      what the last pressure equation made of each owned particle
@@ -56,6 +60,11 @@ class AleisphFields : protected Pointers {
   aleisph::Field predicted() { return {predicted_.data(), 3, predicted_valid_}; }
   double *wall_velocity() { return property("aleisph_vw"); }    // 3 per owned particle
   double *wall_normals() { return property("aleisph_n"); }      // 4 per owned particle
+  // Of a particle that is new in the flow, was dry or flew freely; that has a first pressure; that
+  // has been through a step
+  static constexpr double NEW = 0.0, SOLVED = 0.5, MET = 1.0;
+  double *memory() { return property("aleisph_gp"); }    // 4 per owned particle
+  double *given_back() const;                            // 1 per owned particle
   // d2_NAME as one array, owned particles; null if there is none
   double *property(const std::string &name) const;
 
@@ -80,7 +89,8 @@ class AleisphFields : protected Pointers {
   void require_finite(const double *v, const std::string &caller, const std::string &what) const;
 
   // empty before the first assembly of the pressure equation
-  std::vector<aleisph::RowType> &row_types() { return row_types_; }
+  const std::vector<aleisph::RowType> &row_types() const { return layout_.type; }
+  aleisph::PpeLayout &ppe_layout() { return layout_; }
 
   // pressure has been solved for, or came from a restart file
   bool pressure_known() const { return pressure_known_; }
@@ -99,7 +109,7 @@ class AleisphFields : protected Pointers {
   void clear(const std::string &field);
 
   std::vector<double> predicted_;
-  std::vector<aleisph::RowType> row_types_;
+  aleisph::PpeLayout layout_;
   bool pressure_valid_ = false, velocity_valid_ = false, predicted_valid_ = false;
   bool pressure_known_ = false;
 };

@@ -28,6 +28,13 @@ inline double particle_mass(FixAleisph &owner)
   return owner.fluid().rho0 * owner.cloud().volume();
 }
 
+// Slip walls of v get the tangential velocity of the fluid: see aleisph_wall_contact.h. v: ghosts
+// valid before and after.
+void slide_with_fluid(FixAleisph &owner, const aleisph::Field &v);
+
+// div[i] = div v on fluid rows
+void velocity_divergence(FixAleisph &owner, double *div);
+
 /* In the destructor of a fix. LAMMPS keeps the places of fixes in lists until it sets up a run: with
    "run N pre no" after unfix, it would call other fixes, or what is no more. A first run is set up
    whatever pre says: so is the next one, then. */

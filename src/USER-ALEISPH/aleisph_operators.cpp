@@ -83,9 +83,9 @@ template <int D> class KernelSums {
   }
 
   // the same without slip
-  Eigen::Matrix<double, 3, D> vector_of_all(int i, const double *v) const
+  template <int C> Eigen::Matrix<double, C, D> vector_of_all(int i, const double *v) const
   {
-    return pairs<3, false>(i, v);
+    return pairs<C, false>(i, v);
   }
 
  private:
@@ -150,7 +150,7 @@ void divergence(const Cloud &cloud, const Rows &rows, const double *v, double *d
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for_rows(rows, [&](int i) {
-      div[i] = sums.template vector<D>(i, v).cwiseProduct(correction<D>(g, i)).sum();
+      div[i] = sums.template vector_of_all<D>(i, v).cwiseProduct(correction<D>(g, i)).sum();
     });
   });
 }
@@ -185,7 +185,7 @@ void curl(const Cloud &cloud, const Rows &rows, const double *v, double *out)
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for_rows(rows, [&](int i) {
-      const Mat<3> grad = in_space<D>(sums.vector_of_all(i, v), correction<D>(g, i));
+      const Mat<3> grad = in_space<D>(sums.template vector_of_all<3>(i, v), correction<D>(g, i));
       store<3>(Vec<3>(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)),
                out, i);
     });

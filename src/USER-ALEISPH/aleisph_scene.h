@@ -11,11 +11,11 @@
                  pressure       prescribed values
      forces      tension        SurfaceTension: pressure and force of the surface;
                                 LAMMPS' own fixes: gravity, addforce, ...
-     v*          predictor      force, viscosity, convection, every Acceleration
+     v*          predictor      force, viscosity, convection, every Acceleration, memory; of walls
                  owner          every VelocityCondition
-     pressure    ppe            lap p = rho0/dt div v*
+     pressure    ppe            lap p = rho0/dt div v* and what the last step has left
      v           ppe            grad p, PressureGuard, v* - dt/rho0 grad p, VelocityGuard,
-                                every VelocityCondition
+                                every VelocityCondition; memory, what is left
      u           shift, guard   for the positions of the next step
      dt          dt             from every TimeStepLimit
 ------------------------------------------------------------------------- */
@@ -159,6 +159,7 @@ class Scene {
   void set_surface(const FreeSurface &surface) { surface_ = surface; }
   void set_viscosity(double nu) { viscosity_ = nu; }
   void set_moving() { moving_ = true; }
+  void set_memory() { memory_ = true; }
   void set_adaptive_step() { adaptive_step_ = true; }
   void remove_tension(const SurfaceTension *tension)
   {
@@ -174,8 +175,9 @@ class Scene {
   VelocityGuard *velocity_guard() const { return velocity_guard_; }    // null if there is none
   const SurfaceTension *tension() const { return tension_; }           // null if there is none
   const FreeSurface &surface() const { return surface_; }
-  double viscosity() const { return viscosity_; }          // kinematic, of the predictor
-  bool moving() const { return moving_; }                  // particles move with the flow
+  double viscosity() const { return viscosity_; }    // kinematic, of the predictor
+  bool memory() const { return memory_; }    // the fluid remembers what acted in the last step
+  bool moving() const { return moving_; }    // particles move with the flow
   bool adaptive_step() const { return adaptive_step_; }    // the time step is chosen by a fix
   bool dry_rule() const { return surface_.present && surface_.dry_reach > 0.0 && !walls_.empty(); }
 
@@ -199,7 +201,7 @@ class Scene {
   const SurfaceTension *tension_ = nullptr;
   FreeSurface surface_;
   double viscosity_ = 0.0;
-  bool moving_ = false, adaptive_step_ = false;
+  bool moving_ = false, memory_ = false, adaptive_step_ = false;
 };
 
 }    // namespace aleisph

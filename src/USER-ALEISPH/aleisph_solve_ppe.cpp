@@ -4,6 +4,7 @@
 
 #include "aleisph_cloud.h"
 #include "aleisph_vectors.h"
+#include "aleisph_wall_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ void fluid_row(const Stencil &s, int i, double d, CsrMatrix &A)
   for (int k = s.begin(i); k < s.end(i); k++) A.val(k) *= d * d;
 }
 
-// of length n.grad: -d for a wall; the offset of a free surface, a row that p_i is added to
+// of length n.grad: the offset of a free surface, a row that p_i is added to
 void normal_row(const Cloud &cloud, int i, double length, CsrMatrix &A)
 {
   const Stencil &s = cloud.stencil();
@@ -59,13 +60,35 @@ bool singular_wall(const Cloud &cloud, int i, double diagonal, const PpeOptions 
       too_few_fluid(cloud.stencil(), cloud.role(), i, options.min_wall_fluid);
 }
 
-RowType assemble_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A)
+// the off-diagonal entries of row i of -d n.grad; returns alpha/d
+double wall_row(const Cloud &cloud, int i, bool isotropic, CsrMatrix &A)
+{
+  if (A.begin(i) == A.end(i)) return 0.0;
+  double *const w = &A.val(A.begin(i));
+  double alpha = isotropic ? isotropic_wall_row(cloud, i, w) : -1.0;
+  if (alpha < 0.0) alpha = gradient_wall_row(cloud, i, w);
+  for (int k = A.begin(i); k < A.end(i); k++) A.val(k) = -A.val(k);
+  return alpha;
+}
+
+// Next to a free surface the neighbours are too one-sided: the row would feed energy into the flow
+bool isotropic(const Cloud &cloud, int i, const PpeOptions &options)
+{
+  const Stencil &s = cloud.stencil();
+  bool inside = options.isotropic_walls;
+  for (int k = s.begin(i); k < s.end(i) && inside; k++)
+    inside = !(cloud.role()[s.col()[k]] & SURFACE);
+  return inside;
+}
+
+RowType assemble_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A,
+                     double &alpha)
 {
   const Role role = cloud.role()[i];
   const double d = cloud.spacing();
   const RowType type = wanted_type(role);
   if (type == RowType::FLUID) fluid_row(cloud.stencil(), i, d, A);
-  if (type == RowType::WALL) normal_row(cloud, i, -d, A);
+  if (type == RowType::WALL) alpha = wall_row(cloud, i, isotropic(cloud, i, options), A);
   if (type == RowType::SURFACE)
     normal_row(cloud, i, role & BALLISTIC ? 0.0 : options.surface_offset, A);
 
@@ -100,19 +123,21 @@ PpeRows count(const std::vector<RowType> &type)
 }    // namespace
 
 PpeRows assemble_ppe(const Cloud &cloud, std::vector<double> &&laplacian, const PpeOptions &options,
-                     CsrMatrix &A, std::vector<RowType> &type)
+                     CsrMatrix &A, PpeLayout &layout)
 {
   const Stencil &s = cloud.stencil();
   A.reset(s.rows(), s.ptr(), s.col(), std::move(laplacian));
-  type.resize(s.rows());
-  for_rows(s.rows(), [&](int i) { type[i] = assemble_row(cloud, i, options, A); });
-  return count(type);
+  layout.type.resize(s.rows());
+  layout.alpha.assign(s.rows(), 0.0);
+  for_rows(s.rows(),
+           [&](int i) { layout.type[i] = assemble_row(cloud, i, options, A, layout.alpha[i]); });
+  return count(layout.type);
 }
 
-void ppe_rhs(const Cloud &cloud, const std::vector<RowType> &type, const PpeFields &fields,
-             double *b)
+void ppe_rhs(const Cloud &cloud, const PpeLayout &layout, const PpeFields &fields, double *b)
 {
   const double d = cloud.spacing();
+  const auto &type = layout.type;
   for_rows(static_cast<int>(type.size()), [&](int i) {
     b[i] = 0.0;
     if (type[i] == RowType::FLUID) b[i] = -d * d * fields.rho_over_dt * fields.div[i];
@@ -123,6 +148,7 @@ void ppe_rhs(const Cloud &cloud, const std::vector<RowType> &type, const PpeFiel
       double v_n = 0.0;
       for (int k = 3 * i; k < 3 * i + 3; k++)
         v_n += (fields.vstar[k] - fields.vwall[k]) * cloud.normal()[k];
+      if (fields.second_order) v_n += d * layout.alpha[i] * fields.div[i];
       b[i] = -d * fields.rho_over_dt * v_n;
     }
   });

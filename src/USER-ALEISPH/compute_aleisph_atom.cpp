@@ -130,12 +130,8 @@ std::vector<double> ComputeAleisphAtom::density() const
 
 std::vector<double> ComputeAleisphAtom::divergence() const
 {
-  auto &cloud = owner_->cloud();
-  const aleisph::Field velocity = owner_->fields().velocity();
-  owner_->ranks().forward(velocity);
-  const double *v = velocity.all();
   std::vector<double> div(atom->nlocal, 0.0);
-  aleisph::divergence(cloud, cloud.fluid(), v, div.data());
+  velocity_divergence(*owner_, div.data());
   return div;
 }
 

@@ -22,24 +22,24 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-constexpr char PRESSURE[] = "aleisph_p";
+constexpr char PRESSURE[] = "aleisph_p", GIVEN_BACK[] = "aleisph_gb";
 
 // a custom property and the fix that keeps it
 struct Property {
   const char *fix, *definition;
 };
 constexpr Property PROPERTIES[] = {
-    {"ALEISPH_P", "d_aleisph_p ghost yes"},
-    {"ALEISPH_VW", "d2_aleisph_vw 3"},
-    {"ALEISPH_N", "d2_aleisph_n 4"},
+    {"ALEISPH_P", "d_aleisph_p ghost yes"}, {"ALEISPH_VW", "d2_aleisph_vw 3"},
+    {"ALEISPH_N", "d2_aleisph_n 4"},        {"ALEISPH_GP", "d2_aleisph_gp 4"},
+    {"ALEISPH_GB", "d_aleisph_gb"},
 };
 
 // those that more than one fix may write, or that keep what depends on who does
 constexpr const char *WRITTEN[AleisphFields::WRITTEN_FIELDS] = {"aleisph_u", "aleisph_n"};
 
 // all that are kept with the particles, if the script has a fix that asks for them
-constexpr const char *KEPT[] = {"aleisph_p", "aleisph_vw", "aleisph_n",
-                                "aleisph_u", "aleisph_a",  "aleisph_w"};
+constexpr const char *KEPT[] = {"aleisph_p", "aleisph_vw", "aleisph_n", "aleisph_gp", "aleisph_gb",
+                                "aleisph_u", "aleisph_a",  "aleisph_w", "aleisph_dv"};
 
 bool all_finite(const double *values, int n)
 {
@@ -157,13 +157,19 @@ void AleisphFields::reset(int n)
 {
   expire();
   predicted_.assign(3 * static_cast<std::size_t>(n), 0.0);
-  row_types_.clear();
+  layout_.type.clear();
 }
 
 aleisph::Field AleisphFields::pressure()
 {
   int flag, cols;
   return {atom->dvector[atom->find_custom(PRESSURE, flag, cols)], 1, pressure_valid_};
+}
+
+double *AleisphFields::given_back() const
+{
+  int flag, cols;
+  return atom->dvector[atom->find_custom(GIVEN_BACK, flag, cols)];
 }
 
 aleisph::Field AleisphFields::velocity()
@@ -181,5 +187,6 @@ double *AleisphFields::property(const std::string &name) const
 
 double AleisphFields::bytes() const
 {
-  return static_cast<double>(sizeof(double)) * predicted_.capacity() + row_types_.capacity();
+  return static_cast<double>(sizeof(double)) * (predicted_.capacity() + layout_.alpha.capacity()) +
+      layout_.type.capacity();
 }

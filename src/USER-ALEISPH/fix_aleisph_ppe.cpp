@@ -52,13 +52,14 @@ FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
     krylov_(std::make_unique<aleisph::KrylovParams>()),
     report_(std::make_unique<aleisph::SolveReport>()), failures_(0), max_iterations_(0)
 {
+  params_.second_order = params_.gives_back = true;
   params_.reuse = true;
   params_.divergence = DIVERGENCE;
   params_.error_on_failure = true;
   parse(narg, arg);
 
   scalar_flag = vector_flag = 1;
-  size_vector = 12;
+  size_vector = 13;
   restart_file = 1;    // to be told when one is written
   global_freq = 1;
   extscalar = extvector = 0;
@@ -93,6 +94,12 @@ void FixAleisphPPE::parse(int narg, char **arg)
         error->all(FLERR, "Fix aleisph/ppe: maxiter must be at least 1, not {}", value);
     } else if (key == "preconditioner") {
       solver_->parse_preconditioner(value);
+    } else if (key == "walls") {
+      if (value != "second" && value != "first")
+        error->all(FLERR, "Fix aleisph/ppe: walls must be second or first, not {}", value);
+      params_.second_order = value == "second";
+    } else if (key == "increment") {
+      params_.gives_back = utils::logical(FLERR, value, false, lmp) == 1;
     } else if (key == "reuse") {
       params_.reuse = utils::logical(FLERR, value, false, lmp) == 1;
     } else if (key == "failure") {
@@ -170,6 +177,8 @@ void FixAleisphPPE::setup(int)
   owner_->warnings().start();
   if (owner_->fields().pressure_known()) return;
   solve();
+  find_gradient();
+  remember();
   owner_->fields().set_pressure_known(true);
 }
 
@@ -212,7 +221,7 @@ void FixAleisphPPE::assemble()
   {
     aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
     rows = aleisph::assemble_ppe(cloud, std::move(laplacian), options(), *matrix_,
-                                 owner_->fields().row_types());
+                                 owner_->fields().ppe_layout());
   }
   closed_ = !owner_->ranks().any(rows.dirichlet + rows.singular + rows.surface > 0);
   solver_->matrix_changed();
@@ -229,6 +238,7 @@ void FixAleisphPPE::assemble()
 aleisph::PpeOptions FixAleisphPPE::options() const
 {
   aleisph::PpeOptions options;
+  options.isotropic_walls = params_.second_order;
   if (!owner_->scene().surface().present) return options;
   options.surface_offset = owner_->scene().surface().offset * owner_->cloud().spacing();
   const auto &cloud = owner_->cloud();
@@ -236,32 +246,6 @@ aleisph::PpeOptions FixAleisphPPE::options() const
       aleisph::lattice_corner_lambda(cloud.kernel(), cloud.spacing());
   options.min_wall_fluid = domain->dimension == 2 ? MIN_WALL_FLUID_2D : MIN_WALL_FLUID_3D;
   return options;
-}
-
-void FixAleisphPPE::right_hand_side()
-{
-  auto &cloud = owner_->cloud();
-  owner_->complete_velocity(owner_->fields().predicted());
-  aleisph::Timers::Scope scope(owner_->timers(), Part::ASSEMBLY);
-  rhs_.resize(atom->nlocal);
-  div_.resize(atom->nlocal);
-  aleisph::divergence(cloud, cloud.fluid(), owner_->fields().predicted().all(), div_.data());
-  // before the first pressure v* holds an acceleration, relative to the wall's
-  std::vector<double> at_rest;
-  const double *vwall = owner_->fields().velocity().owned();
-  if (!owner_->fields().pressure_known()) {
-    at_rest.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
-    vwall = at_rest.data();
-  }
-  aleisph::PpeFields fields;
-  fields.rho_over_dt = owner_->fluid().rho0 / update->dt;
-  fields.vstar = owner_->fields().predicted().owned();
-  fields.vwall = vwall;
-  fields.div = div_.data();
-  fields.p = owner_->fields().pressure().owned();
-  fields.p_surf = owner_->scene().surface().pressure;
-  if (const auto *tension = owner_->scene().tension()) fields.tension = tension->surface_pressure();
-  aleisph::ppe_rhs(cloud, owner_->fields().row_types(), fields, rhs_.data());
 }
 
 void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
@@ -283,52 +267,7 @@ void FixAleisphPPE::act_on(const aleisph::SolveReport &report)
   if (comm->me == 0) error->warning(FLERR, text + cause);
 }
 
-void FixAleisphPPE::correct_velocity()
-{
-  auto &cloud = owner_->cloud();
-  const aleisph::Field velocity = owner_->fields().velocity();
-  double *v = velocity.edit();
-  {
-    aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
-    const double *vstar = owner_->fields().predicted().owned();
-    const double factor = update->dt / owner_->fluid().rho0;
-    grad_.resize(3 * static_cast<std::size_t>(atom->nlocal));
-    aleisph::gradient(cloud, cloud.fluid(), owner_->fields().pressure().all(), grad_.data());
-    if (owner_->scene().surface().present) release_ballistic();
-    if (auto *guard = owner_->scene().pressure_guard())
-      guard->guard_pressure(owner_->fields().pressure(), grad_.data());
-    aleisph::for_rows(cloud.fluid(), [&](int i) {
-      for (int a = 0; a < 3; a++) v[3 * i + a] = vstar[3 * i + a] - factor * grad_[3 * i + a];
-    });
-  }
-  if (auto *guard = owner_->scene().velocity_guard()) guard->guard_velocity(v);
-  if (!owner_->scene().conditions().empty()) owner_->complete_velocity(velocity);
-}
-
-void FixAleisphPPE::release_ballistic()
-{
-  const aleisph::Role *role = owner_->cloud().role();
-  aleisph::for_rows(owner_->cloud().fluid(), [&](int i) {
-    if (role[i] & aleisph::BALLISTIC) std::fill_n(&grad_[3 * i], 3, 0.0);
-  });
-}
-
 /* ---------------------------------------------------------------------- */
-
-double FixAleisphPPE::max_divergence()
-{
-  auto &cloud = owner_->cloud();
-  const aleisph::Field velocity = owner_->fields().velocity();
-  owner_->ranks().forward(velocity);
-  const double *v = velocity.all();
-  div_.resize(atom->nlocal);
-  aleisph::divergence(cloud, cloud.fluid(), v, div_.data());
-  const auto &types = owner_->fields().row_types();
-  const auto divergence = [&](int i) {
-    return types.empty() || types[i] == aleisph::RowType::FLUID ? std::fabs(div_[i]) : 0.0;
-  };
-  return owner_->ranks().max(aleisph::max_rows(cloud.fluid(), divergence, 0.0));
-}
 
 double FixAleisphPPE::compute_scalar()
 {
@@ -352,12 +291,13 @@ double FixAleisphPPE::compute_vector(int n)
     case 8: return solver_->solver().counts().iterations;
     case 9: return solver_->solver().counts().builds;
     case 10: return solver_->solver().counts().fallbacks;
-    default: return volume_change(report_->target);
+    case 11: return volume_change(report_->target);
+    default: return max_divergence() * update->dt;
   }
 }
 
 double FixAleisphPPE::memory_usage()
 {
   return matrix_->bytes() + solver_->solver().bytes() +
-      sizeof(double) * (rhs_.size() + div_.size() + grad_.size() + p_.size());
+      sizeof(double) * (rhs_.size() + div_.size() + grad_.size() + p_.size() + left_.size());
 }

@@ -50,6 +50,8 @@ class FixAleisphPPE : public Fix {
  private:
   struct Params {
     double divergence;    // bound on |div v| dt, 0: none, but the relative tolerance
+    bool second_order;    // wall rows
+    bool gives_back;      // what the projection leaves, where no particle moves
     bool reuse, error_on_failure;
   };
 
@@ -66,8 +68,14 @@ class FixAleisphPPE : public Fix {
   double smooth_rows() const;
   void act_on(const aleisph::SolveReport &report);
   std::string criterion() const;
+  void find_laplacian();
+  void find_gradient();
   void correct_velocity();
-  void release_ballistic();
+  void remember();
+  void start_motion(const double *memory);
+  bool gives_back() const;
+  void keep_leftover();
+  void find_divergence();
   double volume_change(double residual) const;
   double max_divergence();
 
@@ -79,7 +87,7 @@ class FixAleisphPPE : public Fix {
   std::unique_ptr<AleisphHaloSolver> solver_;
   std::unique_ptr<aleisph::KrylovParams> krylov_;
   std::unique_ptr<aleisph::SolveReport> report_;    // of the last solve
-  std::vector<double> rhs_, div_, grad_, p_;
+  std::vector<double> rhs_, div_, grad_, p_, left_;
   long failures_;
   int max_iterations_;    // keyword maxiter, 0: not given
 };

@@ -34,15 +34,17 @@ namespace {
 constexpr char ACCELERATION_FIX[] = "ALEISPH_A";
 constexpr char TRANSPORT_FIX[] = "ALEISPH_W";
 constexpr char SHIFT_FIX[] = "ALEISPH_U";
-const aleisph::Record RECORD("aleisph/predictor", 2,
-                             {{"the last time step", 0.0, std::numeric_limits<double>::max()}});
+constexpr char CHANGE_FIX[] = "ALEISPH_DV";
+const aleisph::Record RECORD("aleisph/predictor", 3,
+                             {{"the last time step", 0.0, std::numeric_limits<double>::max()},
+                              {"the time of the memory", 0.0, std::numeric_limits<double>::max()}});
 constexpr double SAFE_SHARE = aleisph::DEFAULT_STEP_SHARES[static_cast<int>(StepBound::VISCOUS)];
 
 }    // namespace
 
 FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), viscous_limit_(0.0), previous_dt_(0.0),
-    viscous_(std::make_unique<aleisph::CsrMatrix>()),
+    memory_dt_(0.0), viscous_(std::make_unique<aleisph::CsrMatrix>()),
     solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/predictor")),
     viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
 {
@@ -62,7 +64,7 @@ FixAleisphPredictor::~FixAleisphPredictor()
 {
   set_up_next_run(update);
   if (!modify) return;
-  for (const char *id : {ACCELERATION_FIX, TRANSPORT_FIX, SHIFT_FIX})
+  for (const char *id : {ACCELERATION_FIX, TRANSPORT_FIX, SHIFT_FIX, CHANGE_FIX})
     if (modify->get_fix_by_id(id)) modify->delete_fix(id);
 }
 
@@ -106,6 +108,10 @@ void FixAleisphPredictor::parse(int narg, char **arg)
       if (value != "euler" && value != "ab2")
         error->all(FLERR, "Fix aleisph/predictor: integrator must be euler or ab2, not {}", value);
       params_.ab2 = value == "ab2";
+    } else if (key == "motion") {
+      if (value != "verlet" && value != "euler")
+        error->all(FLERR, "Fix aleisph/predictor: motion must be verlet or euler, not {}", value);
+      params_.verlet = value == "verlet";
     } else if (key == "tol") {
       params_.tolerance = utils::numeric(FLERR, value, false, lmp);
       if (!(params_.tolerance > 0.0) || !(params_.tolerance < 1.0))
@@ -162,6 +168,7 @@ void FixAleisphPredictor::post_constructor()
     return modify->add_fix(fmt::format("{} all property/atom d2_{} 3 writedata no", id, name));
   };
   if (params_.ab2) add(ACCELERATION_FIX, ACCELERATION);
+  if (remembers() && !prescribed()) add(CHANGE_FIX, CHANGE);
   if (prescribed())
     add(TRANSPORT_FIX, TRANSPORT);
   else if (params_.frame == Frame::ALE)
@@ -183,6 +190,7 @@ void FixAleisphPredictor::init()
   owner_ = FixAleisph::find(lmp, "Fix aleisph/predictor");
   owner_->scene().add_role(aleisph::FLUID, groupbit);
   if (params_.frame != Frame::EULERIAN) owner_->scene().set_moving();
+  if (remembers()) owner_->scene().set_memory();
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix aleisph/predictor: group {} is empty", group->names[igroup]);
   if (modify->get_fix_by_style("^aleisph/predictor$").size() > 1)
@@ -253,10 +261,14 @@ void FixAleisphPredictor::initial_integrate(int)
   const double *w = prescribed() ? owner_->fields().property(TRANSPORT)
                                  : owner_->fields().velocity().owned();
   const double *shift = shifted() ? owner_->fields().property(SHIFT) : nullptr;
+  const double *change = owner_->fields().property(CHANGE);
   const int dim = domain->dimension;
+  const double dt = update->dt;
   aleisph::for_rows(owner_->cloud().fluid(), [&](int i) {
-    for (int a = 0; a < dim; a++)
-      x[i][a] += update->dt * (w[3 * i + a] + (shift ? shift[3 * i + a] : 0.0));
+    for (int a = 0; a < dim; a++) {
+      const int k = 3 * i + a;
+      x[i][a] += dt * (w[k] + (shift ? shift[k] : 0.0) + (change ? 0.5 * dt * change[k] : 0.0));
+    }
   });
 }
 
@@ -294,7 +306,7 @@ void FixAleisphPredictor::final_integrate()
 void FixAleisphPredictor::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  write_record(fp, RECORD, {params_.ab2 ? previous_dt_ : 0.0});
+  write_record(fp, RECORD, {params_.ab2 ? previous_dt_ : 0.0, memory_dt_});
 }
 
 // The continued run starts with a new preconditioner: so must this one, for the same results
@@ -305,7 +317,9 @@ void FixAleisphPredictor::write_restart_file(const char *)
 
 void FixAleisphPredictor::restart(char *buf)
 {
-  const double dt = read_record(error, this, RECORD, buf)[0];
+  const auto state = read_record(error, this, RECORD, buf);
+  const double dt = state[0];
+  memory_dt_ = state[1];
   previous_dt_ = params_.ab2 ? dt : 0.0;    // without the field it stands for nothing
 }
 
@@ -384,5 +398,5 @@ double FixAleisphPredictor::compute_vector(int n)
 double FixAleisphPredictor::memory_usage()
 {
   return viscous_->bytes() + solver_->solver().bytes() +
-      sizeof(double) * (a_.size() + work_.size() + grad_p_.size() + relative_.size());
+      sizeof(double) * (a_.size() + work_.size() + known_.size() + relative_.size());
 }

@@ -57,9 +57,9 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
 
  private:
   // custom properties, 3 per particle: acceleration of the step before, prescribed transport
-  // velocity, velocity of shifting
+  // velocity, velocity of shifting, rate of change of the velocity in the step before
   static constexpr char ACCELERATION[] = "aleisph_a", TRANSPORT[] = "aleisph_w",
-                        SHIFT[] = "aleisph_u";
+                        SHIFT[] = "aleisph_u", CHANGE[] = "aleisph_dv";
 
   enum class Frame { LAGRANGIAN, EULERIAN, ALE };
   struct Params {
@@ -67,6 +67,7 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
     double nu = -1.0;              // viscosity; < 0: that of the fluid property file
     bool dynamic = false;          // nu is the dynamic viscosity mu
     double theta = 0.0;            // share of the new time level in nu lap v; 0 explicit
+    bool verlet = true;            // motion and pressure of second order in time
     bool ab2 = false;              // explicit terms by Adams-Bashforth 2 instead of forward Euler
     double tolerance = 1.0e-12;    // of the implicit solve, relative to |v|
     std::vector<AleisphVariable> transport;    // 3 components, or none: not prescribed
@@ -82,15 +83,23 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   void check_viscosity() const;
   void check_viscous_limit() const;
 
-  void body_acceleration(std::vector<double> &a);
+  void start(std::vector<double> &a);
+  void add_body(std::vector<double> &a);
   void add_convection(std::vector<double> &a);
   void add_viscosity(double share, std::vector<double> &a);
   void add_wall_viscosity(std::vector<double> &a);
+  void add_wall_curl(std::vector<double> &a);
   void add_other_terms(std::vector<double> &a);
   void extrapolate(std::vector<double> &a);
   void predict_explicit();
   void predict_implicit();
   void predict_walls();
+  void meet_walls(double *vstar);
+  bool remembers() const;
+  void complete_pressure();
+  void find_known_gradient();
+  void start_memory();
+  void add_memory(std::vector<double> &a);
   void assemble_viscous();
   void solve_viscous(std::vector<double> &rhs);
   void evaluate_transport();
@@ -105,8 +114,9 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   double nu_;               // in force
   double viscous_limit_;    // time step at which explicit viscosity is unstable on the lattice
   double previous_dt_;      // of the stored acceleration, 0 if there is none
+  double memory_dt_;        // of the step that the memory is of; 0: of an instant
 
-  std::vector<double> a_, work_, grad_p_, relative_;    // 3 per owned particle
+  std::vector<double> a_, work_, known_, relative_;    // 3 per owned particle
   std::unique_ptr<aleisph::CsrMatrix> viscous_;
   std::unique_ptr<AleisphHaloSolver> solver_;
   long viscous_version_;

@@ -39,15 +39,15 @@ void FixAleisphPredictor::predict_implicit()
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   auto &cloud = owner_->cloud();
   const double dt = update->dt;
-  body_acceleration(a_);
+  start(a_);
   add_convection(a_);
   add_wall_viscosity(a_);
   add_other_terms(a_);
   extrapolate(a_);
+  add_body(a_);
+  find_known_gradient();
+  if (remembers()) add_memory(a_);
 
-  owner_->ranks().forward(owner_->fields().pressure());
-  grad_p_.assign(a_.size(), 0.0);
-  aleisph::gradient(cloud, cloud.fluid(), owner_->fields().pressure().all(), grad_p_.data());
   const double *v = owner_->fields().velocity().all();
   double *vstar = owner_->fields().predicted().edit();
   predict_walls();
@@ -56,7 +56,7 @@ void FixAleisphPredictor::predict_implicit()
   std::vector<double> &rhs = a_;
   aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++)
-      rhs[k] = v[k] + dt * (a_[k] - grad_p_[k] / owner_->fluid().rho0);
+      rhs[k] = v[k] + dt * (a_[k] - known_[k] / owner_->fluid().rho0);
   });
   aleisph::for_rows(cloud.wall(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) rhs[k] = v[k];
@@ -66,7 +66,7 @@ void FixAleisphPredictor::predict_implicit()
   solve_viscous(rhs);
   aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++)
-      vstar[k] = rhs[k] + dt / owner_->fluid().rho0 * grad_p_[k];
+      vstar[k] = rhs[k] + dt / owner_->fluid().rho0 * known_[k];
   });
 }
 

@@ -9,6 +9,7 @@
 #include "fix_aleisph_predictor.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_wall_contact.h"
 #include "atom.h"
 #include "domain.h"
 #include "update.h"
@@ -34,7 +35,8 @@ void FixAleisphPredictor::setup(int)
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   auto &cloud = owner_->cloud();
-  body_acceleration(a_);
+  start(a_);
+  add_body(a_);
   aleisph::convection(cloud, cloud.fluid(), v, v, work_.data());
   aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
@@ -42,6 +44,7 @@ void FixAleisphPredictor::setup(int)
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
   add_other_terms(a_);
+  start_memory();
   double *vstar = owner_->fields().predicted().edit();
   for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
     aleisph::for_rows(*rows, [&](int i) {
@@ -49,16 +52,22 @@ void FixAleisphPredictor::setup(int)
     });
 }
 
-void FixAleisphPredictor::body_acceleration(std::vector<double> &a)
+void FixAleisphPredictor::start(std::vector<double> &a)
 {
   const std::size_t n = 3 * static_cast<std::size_t>(atom->nlocal);
   a.assign(n, 0.0);
-  work_.resize(n);
+  work_.resize(3 * static_cast<std::size_t>(owner_->cloud().size()));
+}
+
+// Of the present positions and, as LAMMPS has it, of the end of the step: so it is not among the
+// terms of the start of the step, which Adams-Bashforth extrapolates.
+void FixAleisphPredictor::add_body(std::vector<double> &a)
+{
   const auto &cloud = owner_->cloud();
   const double per_mass = 1.0 / particle_mass(*owner_);
   for (const auto *rows : {&cloud.fluid(), &cloud.wall()})
     aleisph::for_rows(*rows, [&](int i) {
-      for (int c = 0; c < domain->dimension; c++) a[3 * i + c] = per_mass * atom->f[i][c];
+      for (int c = 0; c < domain->dimension; c++) a[3 * i + c] += per_mass * atom->f[i][c];
     });
 }
 
@@ -92,25 +101,46 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 }
 
 /* ----------------------------------------------------------------------
-   On walls that ask for it, the viscous force that balances the normal
-   pressure gradient: nu lap v = -nu curl curl v for a divergence-free v.
-   The Laplacian itself would be one-sided there, which is unstable.
+   The viscous force on no-slip walls, that the normal pressure gradient
+   balances. With explicit viscosity that of the fluid beside them, by a linear
+   fit; work_ holds lap v of the fluid. Implicit, with steps beyond the explicit
+   limit, this is unstable, and they have none.
 ------------------------------------------------------------------------- */
 
 void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 {
   if (nu_ == 0.0) return;
+  add_wall_curl(a);
+  if (params_.theta > 0.0) return;
+  const auto &cloud = owner_->cloud();
+  const aleisph::Rows rows = aleisph::select_rows(cloud.wall(), [&](int i) {
+    return !(cloud.role()[i] & (aleisph::SLIP | aleisph::CURLCURL));
+  });
+  if (!owner_->ranks().any(!rows.empty())) return;
+  owner_->ranks().forward(work_.data(), 3);
+  aleisph::for_rows(rows, [&](int i) { std::fill_n(&work_[3 * i], 3, 0.0); });
+  aleisph::fit_vector_to_fluid(cloud, rows, work_.data());
+  aleisph::for_rows(rows, [&](int i) {
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += nu_ * work_[k];
+  });
+}
+
+// On walls that ask for it, from nu lap v = -nu curl curl v, for a divergence-free v, at the wall
+// itself. The Laplacian there is one-sided, which is unstable.
+void FixAleisphPredictor::add_wall_curl(std::vector<double> &a)
+{
   auto &cloud = owner_->cloud();
   const aleisph::Rows rows = aleisph::select_rows(
       cloud.wall(), [&](int i) { return cloud.role()[i] & aleisph::CURLCURL; });
   if (!owner_->ranks().any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
+  std::vector<double> curls(a.size());
   aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
   owner_->ranks().forward(vorticity.data(), 3);
-  aleisph::curl(cloud, rows, vorticity.data(), work_.data());
+  aleisph::curl(cloud, rows, vorticity.data(), curls.data());
   aleisph::for_rows(rows, [&](int i) {
-    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * work_[k];
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * curls[k];
   });
 }
 
@@ -137,12 +167,17 @@ void FixAleisphPredictor::predict_explicit()
 {
   aleisph::Timers::Scope scope(owner_->timers(), Part::MOMENTUM);
   const auto &cloud = owner_->cloud();
-  body_acceleration(a_);
+  start(a_);
   add_convection(a_);
   add_viscosity(1.0, a_);
   add_wall_viscosity(a_);
   add_other_terms(a_);
   extrapolate(a_);
+  add_body(a_);
+  if (remembers()) {
+    find_known_gradient();
+    add_memory(a_);
+  }
   const double *v = owner_->fields().velocity().all();
   double *vstar = owner_->fields().predicted().edit();
   aleisph::for_rows(cloud.fluid(), [&](int i) {
@@ -165,4 +200,5 @@ void FixAleisphPredictor::predict_walls()
   aleisph::for_rows(wall, [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
   });
+  meet_walls(vstar);
 }

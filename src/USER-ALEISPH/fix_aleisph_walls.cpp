@@ -10,6 +10,7 @@
 #include "fix_aleisph.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_wall_contact.h"
 #include "aleisph_wall_dry.h"
 #include "aleisph_wall_normals.h"
 #include "atom.h"
@@ -133,4 +134,31 @@ void FixAleisph::mark_dry_walls()
   tally_.dry_walls = aleisph::mark_dry_walls(atom->x, candidates(), scene_->surface().dry_reach,
                                              *cloud_);
   ranks_->forward_roles(*cloud_);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void LAMMPS_NS::slide_with_fluid(FixAleisph &owner, const aleisph::Field &v)
+{
+  const auto &cloud = owner.cloud();
+  const aleisph::Rows slip = aleisph::slip_walls(cloud);
+  if (!owner.ranks().any(!slip.empty())) return;
+  aleisph::slide_with_fluid(cloud, slip, v.edit());
+  owner.ranks().forward(v);
+}
+
+void LAMMPS_NS::velocity_divergence(FixAleisph &owner, double *div)
+{
+  auto &cloud = owner.cloud();
+  const aleisph::Field velocity = owner.fields().velocity();
+  owner.ranks().forward(velocity);
+  const double *v = velocity.all();
+  std::vector<double> sliding;
+  if (owner.ranks().any(!aleisph::slip_walls(cloud).empty())) {
+    sliding.assign(v, v + 3 * static_cast<std::size_t>(cloud.size()));
+    bool valid = true;
+    slide_with_fluid(owner, {sliding.data(), 3, valid});
+    v = sliding.data();
+  }
+  aleisph::divergence(cloud, cloud.fluid(), v, div);
 }

@@ -27,8 +27,8 @@ Sparse pressure_matrix(const Scene &scene)
 {
   const Discretized ops(scene);
   CsrMatrix A;
-  std::vector<RowType> type;
-  assemble_ppe(ops.cloud(), weights(ops.l(), ops.s()), PpeOptions(), A, type);
+  PpeLayout layout;
+  assemble_ppe(ops.cloud(), weights(ops.l(), ops.s()), PpeOptions(), A, layout);
   return to_eigen(A);
 }
 

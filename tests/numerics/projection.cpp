@@ -2,6 +2,8 @@
 
 #include "projection.h"
 
+#include "aleisph_wall_contact.h"
+
 #include "aleisph_surface.h"
 
 #include <algorithm>
@@ -133,8 +135,8 @@ Eigen::MatrixXd projection(const FreeSurfaceFlow &flow, SelfTerm kind, double su
   options.min_wall_lambda = 0.2;
   options.min_wall_fluid = 2;
   CsrMatrix A;
-  std::vector<RowType> type;
-  assemble_ppe(flow.cloud(), weights(flow.l(), flow.s()), options, A, type);
+  PpeLayout layout;
+  assemble_ppe(flow.cloud(), weights(flow.l(), flow.s()), options, A, layout);
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(Eigen::MatrixXd(to_eigen(A)));
 
   const int m = static_cast<int>(flow.fluid().size()) * dim;
@@ -144,14 +146,16 @@ Eigen::MatrixXd projection(const FreeSurfaceFlow &flow, SelfTerm kind, double su
   Eigen::MatrixXd P = Eigen::MatrixXd::Identity(m, m);
   for (int c = 0; c < m; c++) {
     v[unknown(c)] = 1.0;
-    divergence(flow.cloud(), flow.fluid(), v.data(), div.data());
+    std::vector<double> sliding = v;
+    slide_with_fluid(flow.cloud(), slip_walls(flow.cloud()), sliding.data());
+    divergence(flow.cloud(), flow.fluid(), sliding.data(), div.data());
     v[unknown(c)] = 0.0;
     Vector b(n);
     PpeFields fields;
     fields.rho_over_dt = 1.0;
     fields.vstar = fields.vwall = fields.p = zero.data();
     fields.div = div.data();
-    ppe_rhs(flow.cloud(), type, fields, b.data());
+    ppe_rhs(flow.cloud(), layout, fields, b.data());
     const std::vector<double> grad = guarded_gradient(flow, lu.solve(b), kind);
     for (int r = 0; r < m; r++) P(r, c) -= grad[unknown(r)];
   }

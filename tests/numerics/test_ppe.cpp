@@ -24,7 +24,7 @@ class Ppe {
  public:
   explicit Ppe(const Scene &scene) : scene_(scene), ops_(scene)
   {
-    rows_ = assemble_ppe(ops_.cloud(), weights(ops_.l(), ops_.s()), PpeOptions(), A_, type_);
+    rows_ = assemble_ppe(ops_.cloud(), weights(ops_.l(), ops_.s()), PpeOptions(), A_, layout_);
   }
   Ppe(const Ppe &) = delete;
   Ppe &operator=(const Ppe &) = delete;
@@ -32,7 +32,8 @@ class Ppe {
   const Scene &scene() const { return scene_; }
   const Discretized &ops() const { return ops_; }
   const CsrMatrix &A() const { return A_; }
-  const std::vector<RowType> &type() const { return type_; }
+  const PpeLayout &layout() const { return layout_; }
+  const std::vector<RowType> &type() const { return layout_.type; }
   const PpeRows &rows() const { return rows_; }
   int size() const { return A_.rows(); }
 
@@ -40,7 +41,7 @@ class Ppe {
   Scene scene_;
   Discretized ops_;
   CsrMatrix A_;
-  std::vector<RowType> type_;
+  PpeLayout layout_;
   PpeRows rows_;
 };
 
@@ -174,12 +175,13 @@ TEST(Ppe, NaNIsNotSingular)
 
 TEST(Ppe, RightHandSide)
 {
-  const std::vector<RowType> type = {RowType::FLUID, RowType::WALL, RowType::DIRICHLET,
-                                     RowType::SINGULAR, RowType::NONE};
+  const PpeLayout layout = {
+      {RowType::FLUID, RowType::WALL, RowType::DIRICHLET, RowType::SINGULAR, RowType::NONE},
+      {9, 0.6, 9, 9, 9}};
   const std::vector<double> n = {9, 9, 9, 0.6, 0, 0.8, 9, 9, 9, 9, 9, 9, 9, 9, 9};
   const double vstar[] = {9, 9, 9, 1, 2, 3, 9, 9, 9, 9, 9, 9, 9, 9, 9};
   const double vwall[] = {9, 9, 9, 0.5, 7, 1, 9, 9, 9, 9, 9, 9, 9, 9, 9};
-  const double div[] = {0.25, 9, 9, 9, 9}, p[] = {9, 9, 123.0, 9, 9};
+  const double div[] = {0.25, 20, 9, 9, 9}, p[] = {9, 9, 123.0, 9, 9};
   double b[5];
   Timers timers;
   Cloud cloud(Kernel(KernelType::CUBIC_SPLINE, 3, 0.12), 0.1, timers);
@@ -191,12 +193,15 @@ TEST(Ppe, RightHandSide)
   fields.vwall = vwall;
   fields.div = div;
   fields.p = p;
-  ppe_rhs(cloud, type, fields, b);
+  ppe_rhs(cloud, layout, fields, b);
   EXPECT_DOUBLE_EQ(b[0], -0.01 * 1000.0 * 0.25);
   EXPECT_DOUBLE_EQ(b[1], -0.1 * 1000.0 * (0.5 * 0.6 + 2.0 * 0.8));
   EXPECT_EQ(b[2], 123.0);
   EXPECT_EQ(b[3], 0.0);
   EXPECT_EQ(b[4], 0.0);
+  fields.second_order = true;
+  ppe_rhs(cloud, layout, fields, b);
+  EXPECT_DOUBLE_EQ(b[1], -0.1 * 1000.0 * (0.5 * 0.6 + 2.0 * 0.8 + 0.1 * 0.6 * 20));
 }
 
 /* ----------------------------------------------------------------------
@@ -307,7 +312,7 @@ TEST(Ppe, HydrostaticBoxIsExact)
         fields.vstar = vstar.data();
         fields.vwall = vwall.data();
         fields.div = div.data();
-        ppe_rhs(ppe.ops().cloud(), ppe.type(), fields, b.data());
+        ppe_rhs(ppe.ops().cloud(), ppe.layout(), fields, b.data());
         ASSERT_TRUE(solve(ppe.A(), PrecondType::ILU0, b, p, closed(1.0e-13)).ok());
         EXPECT_LE((centred(p) - centred(exact)).cwiseAbs().maxCoeff(), 1.0e-11 * rho * 9.81);
         gradient(ppe.ops().cloud(), ppe.ops().all(), p.data(), grad.data());

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/* ----------------------------------------------------------------------
+   What the fluid is beside a wall: fields of the fluid carried to wall particles,
+   from their fluid neighbours alone. Weights omega = V |W'|/r. Fields have their
+   ghosts valid; `walls` lists owned wall particles; one without fluid neighbours
+   keeps what it has.
+------------------------------------------------------------------------- */
+
+#ifndef LMP_ALEISPH_WALL_CONTACT_H
+#define LMP_ALEISPH_WALL_CONTACT_H
+
+#include "aleisph_rows.h"
+
+namespace aleisph {
+
+class Cloud;
+
+Rows slip_walls(const Cloud &cloud);
+
+// Gives slip walls the tangential velocity of the fluid beside them, the mean over the neighbours,
+// which the fluid would have there. Their normal velocity stays. v: 3 per particle.
+void slide_with_fluid(const Cloud &cloud, const Rows &walls, double *v);
+
+// out[i]: velocity of the fluid along the normal, at the wall, by a linear fit, which is exact for
+// linear fields; the mean where the neighbours determine none. v: 3 per particle.
+void approach_speed(const Cloud &cloud, const Rows &walls, const double *v, double *out);
+
+// f[i]: mean of f over those neighbours that are not on the free surface, zero if there is none
+void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f);
+
+// f[i] by a linear fit to the neighbours, their mean where they determine none. For any owned
+// particles. The second: 3 per particle.
+void fit_to_fluid(const Cloud &cloud, const Rows &rows, double *f);
+void fit_vector_to_fluid(const Cloud &cloud, const Rows &rows, double *v);
+
+}    // namespace aleisph
+#endif
