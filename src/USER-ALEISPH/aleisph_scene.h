@@ -28,6 +28,7 @@
 #include "aleisph_stencil.h"
 #include "aleisph_timestep.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -167,6 +168,11 @@ class Scene {
   }
 
   const std::vector<RoleGroup> &roles() const { return roles_; }
+  bool has(Role role) const
+  {
+    return std::any_of(roles_.begin(), roles_.end(),
+                       [role](const RoleGroup &group) { return group.role & role; });
+  }
   const std::vector<Claim> &claims() const { return claims_; }
   const std::vector<VelocityCondition *> &conditions() const { return conditions_; }
   const std::vector<NormalFinder *> &walls() const { return walls_; }

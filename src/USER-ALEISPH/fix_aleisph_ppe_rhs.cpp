@@ -57,7 +57,7 @@ void FixAleisphPPE::find_laplacian()
     aleisph::for_rows(cloud.fluid(), [&](int i) { div_[i] += factor * given[i]; });
   }
   // on walls it is that of the fluid beside them, to the order of the row: alpha is half a spacing
-  if (!params_.second_order || !owner_->ranks().any(!cloud.wall().empty())) return;
+  if (!params_.second_order || !owner_->scene().has(aleisph::WALL)) return;
   owner_->ranks().forward(div_.data(), 1);
   aleisph::mean_of_fluid(cloud, cloud.wall(), div_.data());
 }

@@ -109,7 +109,7 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 
 void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 {
-  if (nu_ == 0.0) return;
+  if (nu_ == 0.0 || !owner_->scene().has(aleisph::WALL)) return;
   add_wall_curl(a);
   if (params_.theta > 0.0) return;
   const auto &cloud = owner_->cloud();
@@ -130,9 +130,9 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 void FixAleisphPredictor::add_wall_curl(std::vector<double> &a)
 {
   auto &cloud = owner_->cloud();
+  if (!owner_->scene().has(aleisph::CURLCURL)) return;
   const aleisph::Rows rows = aleisph::select_rows(
       cloud.wall(), [&](int i) { return cloud.role()[i] & aleisph::CURLCURL; });
-  if (!owner_->ranks().any(!rows.empty())) return;
 
   std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
   std::vector<double> curls(a.size());

@@ -141,9 +141,8 @@ void FixAleisph::mark_dry_walls()
 void LAMMPS_NS::slide_with_fluid(FixAleisph &owner, const aleisph::Field &v)
 {
   const auto &cloud = owner.cloud();
-  const aleisph::Rows slip = aleisph::slip_walls(cloud);
-  if (!owner.ranks().any(!slip.empty())) return;
-  aleisph::slide_with_fluid(cloud, slip, v.edit());
+  if (!owner.scene().has(aleisph::SLIP)) return;
+  aleisph::slide_with_fluid(cloud, aleisph::slip_walls(cloud), v.edit());
   owner.ranks().forward(v);
 }
 
@@ -154,7 +153,7 @@ void LAMMPS_NS::velocity_divergence(FixAleisph &owner, double *div)
   owner.ranks().forward(velocity);
   const double *v = velocity.all();
   std::vector<double> sliding;
-  if (owner.ranks().any(!aleisph::slip_walls(cloud).empty())) {
+  if (owner.scene().has(aleisph::SLIP)) {
     sliding.assign(v, v + 3 * static_cast<std::size_t>(cloud.size()));
     bool valid = true;
     slide_with_fluid(owner, {sliding.data(), 3, valid});

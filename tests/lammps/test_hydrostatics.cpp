@@ -130,6 +130,7 @@ TEST(ClosedTank, Accelerated)
   const std::string moved = "variable u equal time\nvariable s equal 0.5*time^2\n"
                             "fix m wall move variable v_s NULL NULL v_u NULL NULL\n"
                             "fix wall wall aleisph/wall";
+  // walls that stay while the fluid moves past them: what acted before is of another arrangement
   const std::string told = "variable u equal time\nfix wall wall aleisph/wall velocity v_u 0 0";
   for (const std::string &wall : {moved, told}) {
     SCOPED_TRACE(wall);
@@ -139,6 +140,7 @@ TEST(ClosedTank, Accelerated)
     Script script = tank_script(scene);
     script.body = "";
     script.wall = wall;
+    if (wall == told) script.predictor += " motion euler";
     sim.run(script.text() + "run 10");
     const auto exact = sim.at_particles([](double x, double, double) { return -x; });
     EXPECT_LE(largest(without_mean(sim.pressure()), without_mean(exact)), 1e-9);

@@ -332,10 +332,10 @@ TEST(Dam, NobodyIsLost)
 
 namespace {
 
-// x_n = x_0 + n dt v_0 + n(n-1)/2 dt^2 g: a step moves with the velocity that it starts with
+// the exact parabola
 double thrown(double x0, double v0, double g, int n)
 {
-  return x0 + n * DT * v0 + 0.5 * n * (n - 1) * DT * DT * g;
+  return x0 + n * DT * v0 + 0.5 * n * n * DT * DT * g;
 }
 
 Scene block_and_single(int dimension)

@@ -380,6 +380,7 @@ Filtered filtered(const std::string &filter, const std::string &stir)
   Script script = free_script(scene, "density step 0 velocity 1.0 smoothing 0 filter 0");
   script.surface += "\nfix tens fluid aleisph/tension sigma 1e-3 " + filter;
   script.timestep = "timestep 0.1";
+  script.predictor += " motion euler";    // else the places, and v of them, are not linear
   Simulation sim(scene);
   sim.run(script.text() + stir + "velocity all set v_u v_w 0\nrun 1");
   Filtered result = {{}, 0.0};

@@ -29,17 +29,19 @@ TEST(Walls, SlipKeepsUniformFlow)
     }
 }
 
-// Shear between slip walls: the walls exert no force, so that momentum stays what it was, and
-// viscosity cannot make energy. (Lattice: there the weights of a pair are opposite.)
+// Vortices between slip walls: the walls exert no force, and viscosity cannot make energy. Particles
+// that move crowd at the stagnation points after half this time, if they are not shifted.
 TEST(Walls, SlipMakesNoEnergy)
 {
-  for (const char *frame : {"frame lagrangian", "frame eulerian"}) {
+  for (const char *frame : {"frame ale", "frame eulerian"}) {
     SCOPED_TRACE(frame);
+    const bool moves = std::string(frame) == "frame ale";
     const Scene scene = channel(5, 10).jitter(0.1);
     Simulation sim(scene);
     Script script = script_of(scene);
     script.wall += " condition slip";
     script.predictor += fmt::format(" nu 0.01 {}", frame);
+    if (moves) script.shift = "fix shift fluid aleisph/shift density velocity 1.0";
     script.timestep = "timestep 0.01\nvariable u atom sin(PI*x)*cos(PI*y)\n"
                       "variable w atom -cos(PI*x)*sin(PI*y)\nvelocity fluid set v_u v_w 0\nrun 0";
     sim.run(script.text());
@@ -71,7 +73,7 @@ TEST(Walls, NoSlipStopsUniformFlow)
 
 /* ----------------------------------------------------------------------
    A decaying Stokes mode, where the viscous force has a normal component
-   at the wall that the default wall condition leaves out.
+   at the wall. With explicit viscosity v* of the wall has it.
 ------------------------------------------------------------------------- */
 
 namespace {
@@ -96,11 +98,11 @@ double stokes_pressure_error(const std::string &vstar)
 
 }    // namespace
 
-TEST(Walls, CurlCurlGivesABetterPressure)
+TEST(Walls, ViscousForceInThePressure)
 {
-  const double plain = stokes_pressure_error("default"), better = stokes_pressure_error("curlcurl");
-  EXPECT_LE(better, 0.1);
-  EXPECT_GE(plain / better, 3.0);
+  // 0.047 and 0.055; without the force 0.17, as the pressure of its normal component is missing
+  EXPECT_LE(stokes_pressure_error("default"), 0.06);
+  EXPECT_LE(stokes_pressure_error("curlcurl"), 0.06);
 }
 
 // where nothing is viscous, or nothing moves, curlcurl changes nothing
