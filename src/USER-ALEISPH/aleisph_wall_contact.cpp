@@ -89,7 +89,7 @@ void slide_with_fluid(const Cloud &cloud, const Rows &walls, double *v)
   });
 }
 
-void approach_speed(const Cloud &cloud, const Rows &walls, const double *v, double *out)
+void normal_part_of_fluid(const Cloud &cloud, const Rows &walls, const double *v, double *out)
 {
   for_rows(walls, [&](int i) {
     const Eigen::Vector3d n = at(cloud.normal(), i);
@@ -116,15 +116,6 @@ void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f)
       weights += omega;
     });
     f[i] = weights > 0.0 ? sum / weights : 0.0;
-  });
-}
-
-void fit_vector_to_fluid(const Cloud &cloud, const Rows &rows, double *v)
-{
-  for_rows(rows, [&](int i) {
-    for (int a = 0; a < cloud.dim(); a++)
-      fit(
-          cloud, i, [v, a](int j) { return v[3 * j + a]; }, v[3 * i + a]);
   });
 }
 

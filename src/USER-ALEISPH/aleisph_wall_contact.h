@@ -21,17 +21,16 @@ Rows slip_walls(const Cloud &cloud);
 // which the fluid would have there. Their normal velocity stays. v: 3 per particle.
 void slide_with_fluid(const Cloud &cloud, const Rows &walls, double *v);
 
-// out[i]: velocity of the fluid along the normal, at the wall, by a linear fit, which is exact for
-// linear fields; the mean where the neighbours determine none. v: 3 per particle.
-void approach_speed(const Cloud &cloud, const Rows &walls, const double *v, double *out);
+// out[i]: part along the normal of a vector of the fluid, at the wall, by a linear fit, which is exact
+// for linear fields; the mean where the neighbours determine none. v: 3 per particle.
+void normal_part_of_fluid(const Cloud &cloud, const Rows &walls, const double *v, double *out);
 
 // f[i]: mean of f over those neighbours that are not on the free surface, zero if there is none
 void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f);
 
 // f[i] by a linear fit to the neighbours, their mean where they determine none. For any owned
-// particles. The second: 3 per particle.
+// particles.
 void fit_to_fluid(const Cloud &cloud, const Rows &rows, double *f);
-void fit_vector_to_fluid(const Cloud &cloud, const Rows &rows, double *v);
 
 }    // namespace aleisph
 #endif

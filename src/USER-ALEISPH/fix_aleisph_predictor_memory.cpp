@@ -124,7 +124,7 @@ void FixAleisphPredictor::meet_walls(double *vstar)
       cloud.wall(), [&](int i) { return memory[4 * i + 3] != AleisphFields::MET; });
   if (new_walls.empty()) return;
   std::vector<double> speed(atom->nlocal, std::numeric_limits<double>::quiet_NaN());
-  aleisph::approach_speed(cloud, new_walls, owner_->fields().velocity().all(), speed.data());
+  aleisph::normal_part_of_fluid(cloud, new_walls, owner_->fields().velocity().all(), speed.data());
   aleisph::for_rows(new_walls, [&](int i) {
     if (std::isnan(speed[i])) return;    // no fluid beside it
     const double *n = cloud.normal() + 3 * i, *v = before + 3 * i;

@@ -101,7 +101,7 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
 }
 
 /* ----------------------------------------------------------------------
-   The viscous force on no-slip walls, that the normal pressure gradient
+   The normal viscous force on no-slip walls, that the pressure gradient
    balances. With explicit viscosity that of the fluid beside them, by a linear
    fit; work_ holds lap v of the fluid. Implicit, with steps beyond the explicit
    limit, this is unstable, and they have none.
@@ -118,10 +118,11 @@ void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
   });
   if (!owner_->ranks().any(!rows.empty())) return;
   owner_->ranks().forward(work_.data(), 3);
-  aleisph::for_rows(rows, [&](int i) { std::fill_n(&work_[3 * i], 3, 0.0); });
-  aleisph::fit_vector_to_fluid(cloud, rows, work_.data());
+  std::vector<double> force(atom->nlocal, 0.0);
+  aleisph::normal_part_of_fluid(cloud, rows, work_.data(), force.data());
   aleisph::for_rows(rows, [&](int i) {
-    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += nu_ * work_[k];
+    const double *n = cloud.normal() + 3 * i;
+    for (int c = 0; c < 3; c++) a[3 * i + c] += nu_ * force[i] * n[c];
   });
 }
 

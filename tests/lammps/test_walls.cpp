@@ -100,7 +100,7 @@ double stokes_pressure_error(const std::string &vstar)
 
 TEST(Walls, ViscousForceInThePressure)
 {
-  // 0.047 and 0.055; without the force 0.17, as the pressure of its normal component is missing
+  // 0.047 and 0.055: ten spacings between the walls
   EXPECT_LE(stokes_pressure_error("default"), 0.06);
   EXPECT_LE(stokes_pressure_error("curlcurl"), 0.06);
 }
