@@ -102,13 +102,22 @@ class TimeStepLimit {
   ~TimeStepLimit() = default;
 };
 
-// Fields of owned particles, zero away from the surface, valid from pre_force on
-class SurfaceTension {
+// What acts on the free surface beyond the pressure outside: of owned particles, zero away from the
+// surface, valid from pre_force on. Null if nothing does.
+class SurfaceLoad {
  public:
-  virtual bool ready() const = 0;    // they are, and those of the present positions
-  virtual const double *surface_pressure() const = 0;    // above that outside
-  virtual const double *curvature() const = 0;           // K = div_s N
-  virtual const double *surface_normal() const = 0;      // N, outward; 3 per particle, ghosts, too
+  virtual const double *surface_pressure() const = 0;
+
+ protected:
+  ~SurfaceLoad() = default;
+};
+
+// Fields of owned particles, zero away from the surface, valid from pre_force on
+class SurfaceTension : public SurfaceLoad {
+ public:
+  virtual bool ready() const = 0;                 // they are, and those of the present positions
+  virtual const double *curvature() const = 0;    // K = div_s N
+  virtual const double *surface_normal() const = 0;    // N, outward; 3 per particle, ghosts, too
   // N_c and whether it is a contact particle, 4 per particle; null without walls
   virtual const double *contact() const = 0;
   virtual double sigma() const = 0;
@@ -156,6 +165,8 @@ class Scene {
   void add_limit(const TimeStepLimit *limit) { limits_.push_back(limit); }
   void set_pressure_guard(PressureGuard *guard) { pressure_guard_ = guard; }
   void set_velocity_guard(VelocityGuard *guard) { velocity_guard_ = guard; }
+  // with surface tension its pressure, which has the viscous stress in it, too
+  void set_load(const SurfaceLoad *load) { load_ = load; }
   void set_tension(const SurfaceTension *tension) { tension_ = tension; }
   void set_surface(const FreeSurface &surface) { surface_ = surface; }
   void set_viscosity(double nu) { viscosity_ = nu; }
@@ -180,6 +191,7 @@ class Scene {
   PressureGuard *pressure_guard() const { return pressure_guard_; }    // null if there is none
   VelocityGuard *velocity_guard() const { return velocity_guard_; }    // null if there is none
   const SurfaceTension *tension() const { return tension_; }           // null if there is none
+  const SurfaceLoad *load() const { return tension_ ? tension_ : load_; }
   const FreeSurface &surface() const { return surface_; }
   double viscosity() const { return viscosity_; }    // kinematic, of the predictor
   bool memory() const { return memory_; }    // the fluid remembers what acted in the last step
@@ -205,6 +217,7 @@ class Scene {
   PressureGuard *pressure_guard_ = nullptr;
   VelocityGuard *velocity_guard_ = nullptr;
   const SurfaceTension *tension_ = nullptr;
+  const SurfaceLoad *load_ = nullptr;
   FreeSurface surface_;
   double viscosity_ = 0.0;
   bool moving_ = false, memory_ = false, adaptive_step_ = false;

@@ -143,7 +143,7 @@ void ppe_rhs(const Cloud &cloud, const PpeLayout &layout, const PpeFields &field
     if (type[i] == RowType::FLUID) b[i] = -d * d * fields.rho_over_dt * fields.div[i];
     if (type[i] == RowType::DIRICHLET) b[i] = fields.p[i];
     if (type[i] == RowType::SURFACE || type[i] == RowType::SINGULAR) b[i] = fields.p_surf;
-    if (fields.tension && type[i] == RowType::SURFACE) b[i] += fields.tension[i];
+    if (fields.load && type[i] == RowType::SURFACE) b[i] += fields.load[i];
     if (type[i] == RowType::WALL) {
       double v_n = 0.0;
       for (int k = 3 * i; k < 3 * i + 3; k++)

@@ -68,7 +68,7 @@ struct PpeFields {
   bool second_order = false;          // wall rows, too
   const double *p = nullptr;          // prescribed, on dirichlet rows
   double p_surf = 0.0;                // on surface and singular rows
-  const double *tension = nullptr;    // added on surface rows; null if there is none
+  const double *load = nullptr;       // added on surface rows; null if there is none
 };
 
 void ppe_rhs(const Cloud &cloud, const PpeLayout &layout, const PpeFields &fields, double *b);

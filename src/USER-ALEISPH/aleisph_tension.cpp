@@ -74,22 +74,6 @@ void add_capillary_pressure(const TensionResult &tension, double sigma, double *
   for_rows(tension.rows, [&](int i) { p[i] += sigma * tension.K[i]; });
 }
 
-void add_viscous_pressure(const TensionResult &tension, double mu, const double *grad_v, int dim,
-                          double *p)
-{
-  for_rows(tension.rows, [&](int i) {
-    p[i] += 2.0 * mu * normal_strain(&tension.N[3 * i], grad_v + 9 * i, dim);
-  });
-}
-
-double normal_strain(const double *N, const double *grad_v, int dim)
-{
-  double rate = 0.0;
-  for (int a = 0; a < dim; a++)
-    for (int b = 0; b < dim; b++) rate += N[a] * grad_v[3 * a + b] * N[b];
-  return rate;
-}
-
 void add_tension_force(const TensionResult &tension, double factor, int dim, double *const *f)
 {
   for_rows(tension.rows, [&](int i) {

@@ -97,15 +97,8 @@ Rows surface_rows(const Cloud &cloud);
 // Normalises; returns the number of rows without a direction (N = 0)
 int normalise(const Rows &rows, double *N);
 
-// Of the row of a surface particle in the PPE, both are added to p: sigma K, and the normal viscous
-// stress 2 mu N.(grad v).N, grad_v[9*i+3*a+b] = d v_a/d x_b. A stress-free surface has
-// p - 2 mu dv_n/dn = sigma K. The paper omits this; without it oscillations of drops decay at half
-// their rate.
+// Added to p of the row of a surface particle in the PPE: sigma K
 void add_capillary_pressure(const TensionResult &tension, double sigma, double *p);
-void add_viscous_pressure(const TensionResult &tension, double mu, const double *grad_v, int dim,
-                          double *p);
-// N.(grad v).N: strain rate along the normal
-double normal_strain(const double *N, const double *grad_v, int dim);
 // As a force on the particles of the surface: f_i -= factor K_i N_i
 void add_tension_force(const TensionResult &tension, double factor, int dim, double *const *f);
 

@@ -39,7 +39,7 @@ void FixAleisphPPE::right_hand_side()
   fields.second_order = params_.second_order;
   fields.p = owner_->fields().pressure().owned();
   fields.p_surf = owner_->scene().surface().pressure;
-  if (const auto *tension = owner_->scene().tension()) fields.tension = tension->surface_pressure();
+  if (const auto *load = owner_->scene().load()) fields.load = load->surface_pressure();
   rhs_.resize(atom->nlocal);
   aleisph::ppe_rhs(owner_->cloud(), owner_->fields().ppe_layout(), fields, rhs_.data());
 }

@@ -9,6 +9,9 @@
 #include "aleisph_halo_owner.h"
 #include "aleisph_solve_ppe.h"
 #include "aleisph_surface.h"
+#include "aleisph_surface_stress.h"
+#include "atom.h"
+#include "domain.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -34,7 +37,7 @@ constexpr double REACH = 2.0, REACH_TENSION = 2.3;
 
 FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_(std::make_unique<aleisph::SurfaceParams>()),
-    surface_(std::make_unique<aleisph::FreeSurface>()), offset_(-1.0), reach_(-1.0),
+    surface_(std::make_unique<aleisph::FreeSurface>()), offset_(-1.0), reach_(-1.0), viscous_(true),
     owner_(nullptr), version_(-1), count_(std::make_unique<aleisph::SurfaceCount>())
 {
   surface_->present = true;
@@ -77,6 +80,8 @@ void FixAleisphSurface::parse(int narg, char **arg)
       surface_->pressure = utils::numeric(FLERR, value, false, lmp);
     } else if (key == "floor") {
       surface_->floor = number(0.0, 0.5);
+    } else if (key == "viscous") {
+      viscous_ = utils::logical(FLERR, value, false, lmp) == 1;
     } else if (key == "dry") {
       surface_->dry_reach = value == "no" ? 0.0 : number(1.0, 2.0);
     } else
@@ -97,6 +102,7 @@ void FixAleisphSurface::init()
   surface_->offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
   params_->reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
   owner_->scene().set_surface(*surface_);
+  owner_->scene().set_load(this);
   owner_->cloud().set_floor(surface_->floor);
   const double support = owner_->cloud().kernel().support() / owner_->cloud().spacing();
   params_->wall_reach = std::max(aleisph::SurfaceParams().wall_reach, support - 1.0);
@@ -118,6 +124,41 @@ void FixAleisphSurface::setup_pre_force(int vflag)
 void FixAleisphSurface::pre_force(int)
 {
   if (owner_->cloud().version() != version_) detect();
+  if (stressed()) find_stress();
+}
+
+// fix aleisph/tension has this stress in its own pressure
+bool FixAleisphSurface::stressed() const
+{
+  return viscous_ && owner_->scene().viscosity() > 0.0 && !owner_->scene().tension();
+}
+
+const double *FixAleisphSurface::surface_pressure() const
+{
+  return stressed() ? p_.data() : nullptr;
+}
+
+// Along the normal. Along the surface nothing is prescribed: the rows of Morris on the surface have
+// no neighbors outside, so that no force acts there.
+void FixAleisphSurface::find_stress()
+{
+  const auto &cloud = owner_->cloud();
+  owner_->ranks().forward(owner_->fields().velocity());
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
+  const aleisph::Rows rows = aleisph::select_rows(
+      cloud.fluid(), [&](int i) { return aleisph::bound_surface(cloud.role()[i]); });
+  const auto n = static_cast<std::size_t>(atom->nlocal);
+  grad_v_.resize(9 * n);
+  p_.assign(n, 0.0);
+  aleisph::velocity_gradient(cloud, rows, owner_->fields().velocity().all(), grad_v_.data());
+  const double mu = owner_->fluid().rho0 * owner_->scene().viscosity();
+  aleisph::add_viscous_pressure(rows, cloud.normal(), mu, grad_v_.data(), domain->dimension,
+                                p_.data());
+}
+
+double FixAleisphSurface::memory_usage()
+{
+  return sizeof(double) * (p_.capacity() + grad_v_.capacity());
 }
 
 void FixAleisphSurface::detect()

@@ -16,19 +16,20 @@ FixStyle(aleisph/surface,FixAleisphSurface);
 #ifndef LMP_FIX_ALEISPH_SURFACE_H
 #define LMP_FIX_ALEISPH_SURFACE_H
 
+#include "aleisph_scene.h"
 #include "fix.h"
 
 #include <memory>
+#include <vector>
 
 namespace aleisph {
-struct FreeSurface;
 struct SurfaceCount;
 struct SurfaceParams;
 }    // namespace aleisph
 
 namespace LAMMPS_NS {
 
-class FixAleisphSurface : public Fix {
+class FixAleisphSurface : public Fix, public aleisph::SurfaceLoad {
  public:
   FixAleisphSurface(class LAMMPS *, int, char **);
   ~FixAleisphSurface() override;
@@ -37,17 +38,25 @@ class FixAleisphSurface : public Fix {
   void setup_pre_force(int) override;
   void pre_force(int) override;
   double compute_vector(int) override;
+  double memory_usage() override;
+
+  // aleisph::SurfaceLoad: the normal viscous stress; null in a fluid without viscosity
+  const double *surface_pressure() const override;
 
  private:
   void parse(int narg, char **arg);
   void detect();
+  bool stressed() const;
+  void find_stress();
 
   std::unique_ptr<aleisph::SurfaceParams> params_;
   std::unique_ptr<aleisph::FreeSurface> surface_;
   double offset_, reach_;    // as given, < 0: the default
+  bool viscous_;             // with the viscous stress
   class FixAleisph *owner_;
   long version_;    // of the positions that the flags belong to
   std::unique_ptr<aleisph::SurfaceCount> count_;
+  std::vector<double> p_, grad_v_;
 };
 
 }    // namespace LAMMPS_NS

@@ -10,6 +10,7 @@
 #include "aleisph_halo_variable.h"
 #include "aleisph_solve_ppe.h"
 #include "aleisph_surface_hold.h"
+#include "aleisph_surface_stress.h"
 #include "aleisph_tension_published.h"
 #include "aleisph_tension_roughness.h"
 #include "aleisph_tension_tangent.h"
@@ -243,7 +244,8 @@ void FixAleisphTension::find_pressure()
   if (mu <= 0.0) return;
   owner_->ranks().forward(owner_->fields().velocity());
   find_velocity_gradient(result().rows);
-  aleisph::add_viscous_pressure(result(), mu, grad_v_.data(), domain->dimension, p_.data());
+  aleisph::add_viscous_pressure(result().rows, result().N.data(), mu, grad_v_.data(),
+                                domain->dimension, p_.data());
 }
 
 void FixAleisphTension::find_velocity_gradient(const aleisph::Rows &rows)

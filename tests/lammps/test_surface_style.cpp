@@ -157,6 +157,38 @@ TEST(OpenTank, PressureOutside)
     }
 }
 
+// Pure strain, u = x, w = -y: at rows in the middle of a side, whose normals are exact, the pressure is
+// 2 mu N.(grad v).N, +2 mu on the right and -2 mu above. The gradient is exact for a linear field, and
+// row centre prescribes p at the particle: rounding of mu and the coordinates remains.
+TEST(Patch, ViscousStressOnTheSurface)
+{
+  const Scene scene = patch(11);
+  for (const char *viscous : {"", " viscous no"}) {
+    SCOPED_TRACE(viscous);
+    Script script = free_script(scene);
+    script.surface += std::string(" row centre") + viscous;
+    script.predictor += " nu 0.25";
+    script.timestep = "timestep 1e-4\nvariable u atom x\nvariable w atom -y\n"
+                      "velocity all set v_u v_w 0";
+    Simulation sim(scene);
+    sim.run(script.text() + "run 0");
+    const auto x = sim.x(0), y = sim.x(1), p = sim.pressure();
+    const double right = *std::max_element(x.begin(), x.end()),
+                 middle = 0.5 * (right + *std::min_element(x.begin(), x.end()));
+    const double mu = 0.25 * scene.rho0, expected = *viscous ? 0.0 : 2.0 * mu;
+    int found = 0;
+    for (std::size_t i = 0; i < x.size(); i++) {
+      const bool beside = x[i] == right && std::fabs(y[i] - middle) < 1e-12;
+      const bool above = y[i] == right && std::fabs(x[i] - middle) < 1e-12;
+      if (beside || above) {
+        EXPECT_NEAR(p[i], beside ? expected : -expected, 1e-12 * mu);
+        found++;
+      }
+    }
+    EXPECT_EQ(found, 2);
+  }
+}
+
 // Nor does it in a flow, where walls at the edge of the fluid lose their rows. Differences between
 // the two runs are the solver's: 1e-13 of 50, for 60 steps, on a flow that does not amplify them.
 TEST(Dam, PressureOutside)

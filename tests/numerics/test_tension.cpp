@@ -4,6 +4,7 @@
    that the curvature makes.
 ------------------------------------------------------------------------- */
 
+#include "aleisph_surface_stress.h"
 #include "aleisph_tension.h"
 
 #include "cloud.h"
@@ -75,7 +76,7 @@ TEST(TensionTest, PressureOfTheSurface)
   grad_v[18 + 8] = 0.5;    // d v_z/d z of 2
   add_capillary_pressure(result, 10.0, p.data());
   EXPECT_EQ(p, std::vector<double>({21.0, 1.0, -9.0}));
-  add_viscous_pressure(result, 3.0, grad_v.data(), 3, p.data());
+  add_viscous_pressure(result.rows, result.N.data(), 3.0, grad_v.data(), 3, p.data());
   EXPECT_DOUBLE_EQ(p[0], 21.0 + 2.0 * 3.0 * 4.0);
   EXPECT_EQ(p[1], 1.0);
   EXPECT_DOUBLE_EQ(p[2], -9.0 + 2.0 * 3.0 * 0.5 * 0.64);
