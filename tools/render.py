@@ -23,7 +23,7 @@ from matplotlib.collections import EllipseCollection  # noqa: E402
 from dumps import Frame, finite, read_frames, warn  # noqa: E402
 from profiles import PROFILES  # noqa: E402
 
-LABELS = {"speed": "|v|", "d_aleisph_p": "p", "vx": "u", "vy": "v", "vz": "w"}
+LABELS = {"speed": "|v|", "d_aleisph_p": "p", "vx": "u", "vy": "v", "vz": "w", "v_P": "P"}
 
 
 def field(frame, name):

@@ -15,10 +15,14 @@ from pathlib import Path
 from unittest import mock
 
 import caps
+import cavity
 import drops
+import ellipse
+import impact
 import sloshing
 import spheric02
 import square_patch
+import wave
 from star import Star
 
 COLUMNS = "id type x y z vx vy vz surface nx ny nz d_aleisph_p"
@@ -187,9 +191,28 @@ class Others(Tools):
                 lines = list(square_patch.result_lines(path, 1.0, 0.02, 1.0))
             self.assertEqual(set(self.quantities("".join(lines))), {"area", "surface", "outline"})
 
+    def test_exact_flows(self):
+        """Of a cavity, an ellipse and an impact without a shape, or with a single particle."""
+        for rows in (cloud(), disc()[:1]):
+            path = self.dump(rows)
+            impacts = self.folder / "impact"
+            impacts.write_text(path.read_text().replace("d_aleisph_p", "v_P"))
+            plate = argparse.Namespace(scene="plate", height=1.0, impulse=0.5, energy=0.3)
+            with contextlib.redirect_stderr(io.StringIO()):
+                for lid, Re in (("flat", 400), ("flat", 123), ("smooth", 100), ("smooth", 400)):
+                    lines = list(cavity.result_lines(path, lid, Re))
+                    names = {"u", "p"} if lid == "smooth" else {"u", "v", "p", *cavity.EXTREMA[100]}
+                    self.assertEqual(set(self.quantities("".join(lines))), names)
+                lines = list(ellipse.result_lines(path, 1.0, 0.02, math.nan))
+                self.assertEqual(set(self.quantities("".join(lines))), {"area", "a", "b", "p"})
+                lines = list(impact.result_lines(impacts, plate))
+                self.assertEqual(set(self.quantities("".join(lines))), {"P", "impulse"})
+
     def test_runs_that_end_at_once(self):
         tank = argparse.Namespace(L=1.0, H=0.5, A=0.002, omega=3.0, g=9.81)
         with contextlib.redirect_stderr(io.StringIO()):
+            lines = list(wave.result_lines({"t": [0.0], "c": [1.0]}, wave.Wave(1, 1, 0.02, 1, 0.0)))
+            self.assertEqual(["nan" in line for line in lines], [True, True, True])
             lines = list(sloshing.result_lines({"t": [0.0], "eta0": [0.0], "etaL": [0.0]}, tank))
             self.assertEqual(["nan" in line for line in lines], [True, True, True])
             heights, _ = spheric02.experiment()
