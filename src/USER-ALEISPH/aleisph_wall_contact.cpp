@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
+
 namespace aleisph {
 namespace {
 
@@ -43,7 +45,7 @@ Mean mean_velocity(const Cloud &cloud, int i, const double *v)
   return mean;
 }
 
-// of value(j) over the fluid neighbours of particle i, at i
+// of value(j) over the fluid neighbours of particle i, at i; NaN is not known
 template <int D, class F> void fit(const Cloud &cloud, int i, const F &value, double &at_i)
 {
   using Vector = Eigen::Matrix<double, D + 1, 1>;
@@ -51,10 +53,12 @@ template <int D, class F> void fit(const Cloud &cloud, int i, const F &value, do
   Matrix moments = Matrix::Zero();
   Vector right = Vector::Zero();
   for_fluid(cloud, i, [&](int j, double omega, const Eigen::Vector3d &r) {
+    const double of_j = value(j);
+    if (std::isnan(of_j)) return;
     Vector f;
     f << 1.0, r.head<D>();
     moments += omega * f * f.transpose();
-    right += omega * value(j) * f;
+    right += omega * of_j * f;
   });
   if (moments(0, 0) == 0.0) return;
   const Eigen::LDLT<Matrix> solver(moments);

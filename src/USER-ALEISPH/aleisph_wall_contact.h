@@ -29,7 +29,7 @@ void normal_part_of_fluid(const Cloud &cloud, const Rows &walls, const double *v
 void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f);
 
 // f[i] by a linear fit to the neighbours, their mean where they determine none. For any owned
-// particles.
+// particles. Neighbours whose f is NaN are left out.
 void fit_to_fluid(const Cloud &cloud, const Rows &rows, double *f);
 
 }    // namespace aleisph

@@ -54,7 +54,8 @@ void FixAleisphPredictor::find_known_gradient()
 }
 
 // What has come new into the flow has no pressure of the step before: it gets that of the fluid
-// around. Walls that were dry, and particles that were created or flew freely.
+// around, which is not new itself; the pressure outside if there is none. Walls that were dry, and
+// particles that were created or flew freely.
 void FixAleisphPredictor::complete_pressure()
 {
   const auto &cloud = owner_->cloud();
@@ -64,11 +65,16 @@ void FixAleisphPredictor::complete_pressure()
   const aleisph::Rows fluid = aleisph::select_rows(cloud.fluid(), is_new);
   if (!owner_->ranks().any(!walls.empty() || !fluid.empty())) return;
   const aleisph::Field pressure = owner_->fields().pressure();
-  for (const auto *rows : {&fluid, &walls}) {
-    owner_->ranks().forward(pressure);
-    pressure.all();
-    aleisph::fit_to_fluid(cloud, *rows, pressure.edit());
-  }
+  double *p = pressure.edit();
+  aleisph::for_rows(fluid, [p](int i) { p[i] = std::numeric_limits<double>::quiet_NaN(); });
+  owner_->ranks().forward(pressure);
+  aleisph::fit_to_fluid(cloud, fluid, pressure.edit());
+  const double outside = owner_->scene().surface().pressure;
+  aleisph::for_rows(fluid, [p, outside](int i) {
+    if (std::isnan(p[i])) p[i] = outside;
+  });
+  owner_->ranks().forward(pressure);
+  aleisph::fit_to_fluid(cloud, walls, pressure.edit());
 }
 
 // With the first pressure: that of an instant. The pressure equation adds its gradient.

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 using namespace aleisph;
 using namespace aleisph_test;
@@ -277,4 +278,23 @@ TEST(WallContact, OnlyBoundFluidCounts)
   fit_to_fluid(ops.cloud(), {0}, fit.data());
   EXPECT_EQ(mean[0], 2.0);
   EXPECT_EQ(fit[0], 2.0);
+}
+
+// what is not known, as the pressure of a particle that is new, is no number
+TEST(WallContact, FitLeavesOutWhatIsNotKnown)
+{
+  for (const int dim : {2, 3}) {
+    const Scene scene = closed_box(dim, 6, 0.2, 3);
+    const Discretized ops(scene, LaplacianLimits(), false);
+    const auto exact = linear_field(scene);
+    const Rows &fluid = ops.cloud().fluid();
+    const Rows unknown = {fluid[fluid.size() / 2], fluid[fluid.size() / 2 + 1]};
+    auto f = exact;
+    for (const int i : unknown) f[i] = std::numeric_limits<double>::quiet_NaN();
+    fit_to_fluid(ops.cloud(), unknown, f.data());
+    for (const int i : unknown) EXPECT_NEAR(f[i], exact[i], 10.0 * ROUNDING);
+    std::vector<double> none(f.size(), std::numeric_limits<double>::quiet_NaN());
+    fit_to_fluid(ops.cloud(), unknown, none.data());
+    for (const int i : unknown) EXPECT_TRUE(std::isnan(none[i]));
+  }
 }
