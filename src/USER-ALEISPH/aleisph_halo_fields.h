@@ -12,8 +12,8 @@
      wall velocity  d2_aleisph_vw  [velocity]    of owned walls at the end of the last step
      wall normals   d2_aleisph_n   3 components and shape of owned walls, while no wall moves
      memory         d2_aleisph_gp  [pressure/length] on owned fluid that moves: pressure gradient less
-                                   body force, as they acted in the last step. 4th component, on
-                                   walls, too: NEW, SOLVED or MET
+                                   body force, as they acted in the last step; on walls lap v of
+                                   their viscous force. 4th component: NEW, SOLVED or MET
      given back     d_aleisph_gb   [pressure/length^2] of owned particles: aleisph_solve_leftover.h
    and, of the present positions only:
      predicted      v*             [velocity]    ghosts

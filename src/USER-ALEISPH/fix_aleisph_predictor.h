@@ -88,7 +88,9 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   void add_convection(std::vector<double> &a);
   void add_viscosity(double share, std::vector<double> &a);
   void add_wall_viscosity(std::vector<double> &a);
-  void add_wall_curl(std::vector<double> &a);
+  void find_wall_laplacian(double *lap);
+  void find_wall_curl(double *lap);
+  void approach_gradually(const aleisph::Rows &rows, double *lap);
   void add_other_terms(std::vector<double> &a);
   void extrapolate(std::vector<double> &a);
   void predict_explicit();

@@ -28,8 +28,6 @@
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 using namespace LAMMPS_NS;
 
@@ -113,28 +111,4 @@ void FixAleisphPredictor::add_memory(std::vector<double> &a)
     N[3] = flies ? AleisphFields::NEW : AleisphFields::MET;
   });
   memory_dt_ = dt;
-}
-
-/* ----------------------------------------------------------------------
-   A wall particle that meets the fluid only now, in the first step of a
-   simulation or after it was dry, need not have had its velocity: what comes
-   together is stopped by the pressure of this step. So its v* is formed with
-   the normal velocity of the fluid.
-------------------------------------------------------------------------- */
-
-void FixAleisphPredictor::meet_walls(double *vstar)
-{
-  const auto &cloud = owner_->cloud();
-  const double *memory = owner_->fields().memory(), *before = owner_->fields().wall_velocity();
-  const aleisph::Rows new_walls = aleisph::select_rows(
-      cloud.wall(), [&](int i) { return memory[4 * i + 3] != AleisphFields::MET; });
-  if (new_walls.empty()) return;
-  std::vector<double> speed(atom->nlocal, std::numeric_limits<double>::quiet_NaN());
-  aleisph::normal_part_of_fluid(cloud, new_walls, owner_->fields().velocity().all(), speed.data());
-  aleisph::for_rows(new_walls, [&](int i) {
-    if (std::isnan(speed[i])) return;    // no fluid beside it
-    const double *n = cloud.normal() + 3 * i, *v = before + 3 * i;
-    const double jump = speed[i] - (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
-    for (int c = 0; c < 3; c++) vstar[3 * i + c] += jump * n[c];
-  });
 }

@@ -9,7 +9,6 @@
 #include "fix_aleisph_predictor.h"
 
 #include "aleisph_halo_owner.h"
-#include "aleisph_wall_contact.h"
 #include "atom.h"
 #include "domain.h"
 #include "update.h"
@@ -100,51 +99,6 @@ void FixAleisphPredictor::add_viscosity(double share, std::vector<double> &a)
   owner_->tally().viscous_passes++;
 }
 
-/* ----------------------------------------------------------------------
-   The normal viscous force on no-slip walls, that the pressure gradient
-   balances. With explicit viscosity that of the fluid beside them, by a linear
-   fit; work_ holds lap v of the fluid. Implicit, with steps beyond the explicit
-   limit, this is unstable, and they have none.
-------------------------------------------------------------------------- */
-
-void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
-{
-  if (nu_ == 0.0 || !owner_->scene().has(aleisph::WALL)) return;
-  add_wall_curl(a);
-  if (params_.theta > 0.0) return;
-  const auto &cloud = owner_->cloud();
-  const aleisph::Rows rows = aleisph::select_rows(cloud.wall(), [&](int i) {
-    return !(cloud.role()[i] & (aleisph::SLIP | aleisph::CURLCURL));
-  });
-  if (!owner_->ranks().any(!rows.empty())) return;
-  owner_->ranks().forward(work_.data(), 3);
-  std::vector<double> force(atom->nlocal, 0.0);
-  aleisph::normal_part_of_fluid(cloud, rows, work_.data(), force.data());
-  aleisph::for_rows(rows, [&](int i) {
-    const double *n = cloud.normal() + 3 * i;
-    for (int c = 0; c < 3; c++) a[3 * i + c] += nu_ * force[i] * n[c];
-  });
-}
-
-// On walls that ask for it, from nu lap v = -nu curl curl v, for a divergence-free v, at the wall
-// itself. The Laplacian there is one-sided, which is unstable.
-void FixAleisphPredictor::add_wall_curl(std::vector<double> &a)
-{
-  auto &cloud = owner_->cloud();
-  if (!owner_->scene().has(aleisph::CURLCURL)) return;
-  const aleisph::Rows rows = aleisph::select_rows(
-      cloud.wall(), [&](int i) { return cloud.role()[i] & aleisph::CURLCURL; });
-
-  std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
-  std::vector<double> curls(a.size());
-  aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
-  owner_->ranks().forward(vorticity.data(), 3);
-  aleisph::curl(cloud, rows, vorticity.data(), curls.data());
-  aleisph::for_rows(rows, [&](int i) {
-    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= nu_ * curls[k];
-  });
-}
-
 void FixAleisphPredictor::add_other_terms(std::vector<double> &a)
 {
   for (auto *term : owner_->scene().accelerations()) term->add_acceleration(a.data());
@@ -185,21 +139,4 @@ void FixAleisphPredictor::predict_explicit()
     for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = v[k] + update->dt * a_[k];
   });
   predict_walls();
-}
-
-/* ----------------------------------------------------------------------
-   v* of a wall is what the fluid at this place would have without pressure:
-   the velocity before the step and the body force. With the velocity after
-   the step the acceleration of a wall would not push the fluid.
-------------------------------------------------------------------------- */
-
-void FixAleisphPredictor::predict_walls()
-{
-  const auto &wall = owner_->cloud().wall();
-  const double *before = owner_->fields().wall_velocity();
-  double *vstar = owner_->fields().predicted().edit();
-  aleisph::for_rows(wall, [&](int i) {
-    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
-  });
-  meet_walls(vstar);
 }

@@ -1,0 +1,138 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   USER-ALEISPH package
+   SPDX-License-Identifier: GPL-2.0-only
+
+   v* of walls, which their rows of the pressure equation are made with: what the
+   fluid at this place would have without pressure.
+------------------------------------------------------------------------- */
+
+#include "fix_aleisph_predictor.h"
+
+#include "aleisph_halo_owner.h"
+#include "aleisph_wall_contact.h"
+#include "atom.h"
+#include "update.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace LAMMPS_NS;
+
+/* ----------------------------------------------------------------------
+   The velocity before the step and the acceleration of the fluid. With the
+   velocity after the step the acceleration of a wall would not push the fluid.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::predict_walls()
+{
+  const auto &wall = owner_->cloud().wall();
+  const double *before = owner_->fields().wall_velocity();
+  double *vstar = owner_->fields().predicted().edit();
+  aleisph::for_rows(wall, [&](int i) {
+    for (int k = 3 * i; k < 3 * i + 3; k++) vstar[k] = before[k] + update->dt * a_[k];
+  });
+  meet_walls(vstar);
+}
+
+/* ----------------------------------------------------------------------
+   A wall particle that meets the fluid only now, in the first step of a
+   simulation or after it was dry, need not have had its velocity: what comes
+   together is stopped by the pressure of this step. So its v* is formed with
+   the normal velocity of the fluid.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::meet_walls(double *vstar)
+{
+  const auto &cloud = owner_->cloud();
+  const double *memory = owner_->fields().memory(), *before = owner_->fields().wall_velocity();
+  const aleisph::Rows new_walls = aleisph::select_rows(
+      cloud.wall(), [&](int i) { return memory[4 * i + 3] != AleisphFields::MET; });
+  if (new_walls.empty()) return;
+  std::vector<double> speed(atom->nlocal, std::numeric_limits<double>::quiet_NaN());
+  aleisph::normal_part_of_fluid(cloud, new_walls, owner_->fields().velocity().all(), speed.data());
+  aleisph::for_rows(new_walls, [&](int i) {
+    if (std::isnan(speed[i])) return;    // no fluid beside it
+    const double *n = cloud.normal() + 3 * i, *v = before + 3 * i;
+    const double jump = speed[i] - (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+    for (int c = 0; c < 3; c++) vstar[3 * i + c] += jump * n[c];
+  });
+}
+
+/* ----------------------------------------------------------------------
+   The viscous force on no-slip walls, that the pressure gradient balances:
+     default    its normal part, as of the fluid beside the wall: lap v there, by a
+                linear fit
+     curlcurl   lap v = -curl curl v, for a divergence-free v, at the wall itself.
+                The Laplacian there is one-sided, which is unstable.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
+{
+  if (nu_ == 0.0 || !owner_->scene().has(aleisph::WALL)) return;
+  const auto &cloud = owner_->cloud();
+  const aleisph::Role *role = cloud.role();
+  std::vector<double> lap(a.size(), 0.0);
+  find_wall_laplacian(lap.data());
+  if (owner_->scene().has(aleisph::CURLCURL)) find_wall_curl(lap.data());
+  const aleisph::Rows rows = aleisph::select_rows(
+      cloud.wall(), [role](int i) { return !(role[i] & aleisph::SLIP); });
+  if (params_.theta > 0.0) approach_gradually(rows, lap.data());
+  aleisph::for_rows(rows, [&](int i) {
+    for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += nu_ * lap[k];
+  });
+}
+
+// its normal part; work_ holds lap v of the fluid where viscosity is explicit
+void FixAleisphPredictor::find_wall_laplacian(double *lap)
+{
+  const auto &cloud = owner_->cloud();
+  const double *v = owner_->fields().velocity().all();
+  if (params_.theta > 0.0) aleisph::laplacian(cloud, cloud.fluid(), v, work_.data());
+  owner_->ranks().forward(work_.data(), 3);
+  const aleisph::Rows rows = aleisph::select_rows(cloud.wall(), [&](int i) {
+    return !(cloud.role()[i] & (aleisph::SLIP | aleisph::CURLCURL));
+  });
+  std::vector<double> part(atom->nlocal, 0.0);
+  aleisph::normal_part_of_fluid(cloud, rows, work_.data(), part.data());
+  aleisph::for_rows(rows, [&](int i) {
+    for (int c = 0; c < 3; c++) lap[3 * i + c] = part[i] * cloud.normal()[3 * i + c];
+  });
+}
+
+void FixAleisphPredictor::find_wall_curl(double *lap)
+{
+  auto &cloud = owner_->cloud();
+  const aleisph::Rows rows = aleisph::select_rows(
+      cloud.wall(), [&](int i) { return cloud.role()[i] & aleisph::CURLCURL; });
+  std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
+  std::vector<double> curls(3 * static_cast<std::size_t>(atom->nlocal));
+  aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
+  owner_->ranks().forward(vorticity.data(), 3);
+  aleisph::curl(cloud, rows, vorticity.data(), curls.data());
+  aleisph::for_rows(rows, [&](int i) {
+    for (int k = 3 * i; k < 3 * i + 3; k++) lap[k] = -curls[k];
+  });
+}
+
+/* ----------------------------------------------------------------------
+   lap is of the velocity before the step. In an implicit step of more than
+   d^2/nu the fluid answers to the pressure with several times what it was
+   before, so that what acts must approach lap gradually; steady states do not
+   depend on the share. Flow past cylinders, nu dt/d^2 = 5 and 20: shares of 0.3
+   and 0.1 are unstable, 0.1 and 0.03 stable; taken are 0.09 and 0.024.
+------------------------------------------------------------------------- */
+
+void FixAleisphPredictor::approach_gradually(const aleisph::Rows &rows, double *lap)
+{
+  double *memory = owner_->fields().memory();
+  const double share = 1.0 / (1.0 + 2.0 * params_.theta * viscous_number());
+  aleisph::for_rows(rows, [&](int i) {
+    double *acts = memory + 4 * i;
+    const double taken = acts[3] == AleisphFields::NEW ? 1.0 : share;
+    for (int c = 0; c < 3; c++) {
+      acts[c] += taken * (lap[3 * i + c] - acts[c]);
+      lap[3 * i + c] = acts[c];
+    }
+  });
+}
