@@ -32,6 +32,10 @@ inline double particle_mass(FixAleisph &owner)
 // valid before and after.
 void slide_with_fluid(FixAleisph &owner, const aleisph::Field &v);
 
+// the velocity of the particles, whose ghosts are valid, with slip walls that slide; in work, if there
+// are any
+const double *sliding_velocity(FixAleisph &owner, std::vector<double> &work);
+
 // div[i] = div v on fluid rows
 void velocity_divergence(FixAleisph &owner, double *div);
 

@@ -47,9 +47,7 @@ inline Mat<3> in_space(const Eigen::Matrix<double, 3, D> &sum, const Mat<D> &cor
 // Sums over the pairs of a row
 template <int D> class KernelSums {
  public:
-  explicit KernelSums(const Cloud &cloud) :
-      s_(cloud.stencil()), role_(cloud.role()), normal_(cloud.normal()), col_(s_.col()),
-      dw_(s_.dw())
+  explicit KernelSums(const Cloud &cloud) : s_(cloud.stencil()), col_(s_.col()), dw_(s_.dw())
   {
     for (int b = 0; b < D; b++) e_[b] = s_.e(b);
   }
@@ -75,21 +73,8 @@ template <int D> class KernelSums {
     return total;
   }
 
-  // sum_j (v_j - v_i) (x) dW/dr e_ij of the first C components of v. Of a slip wall only the
-  // normal part of v_j - v_i counts, as its tangential part follows the fluid.
+  // sum_j (v_j - v_i) (x) dW/dr e_ij of the first C components of v
   template <int C> Eigen::Matrix<double, C, D> vector(int i, const double *v) const
-  {
-    return pairs<C, true>(i, v);
-  }
-
-  // the same without slip
-  template <int C> Eigen::Matrix<double, C, D> vector_of_all(int i, const double *v) const
-  {
-    return pairs<C, false>(i, v);
-  }
-
- private:
-  template <int C, bool SLIPS> Eigen::Matrix<double, C, D> pairs(int i, const double *v) const
   {
     double sum[C][D] = {};
     const double *const v_i = v + 3 * i;
@@ -97,7 +82,6 @@ template <int D> class KernelSums {
       const int j = col_[k];
       double dv[C];
       for (int a = 0; a < C; a++) dv[a] = v[3 * j + a] - v_i[a];
-      if (SLIPS && (role_[j] & SLIP)) keep_normal_part<C>(normal_ + 3 * j, dv);
       for (int b = 0; b < D; b++) {
         const double weight = dw_[k] * e_[b][k];
         for (int a = 0; a < C; a++) sum[a][b] += dv[a] * weight;
@@ -109,16 +93,8 @@ template <int D> class KernelSums {
     return total;
   }
 
-  template <int C> static void keep_normal_part(const double *n, double *dv)
-  {
-    double part = 0.0;
-    for (int a = 0; a < C; a++) part += dv[a] * n[a];
-    for (int a = 0; a < C; a++) dv[a] = part * n[a];
-  }
-
+ private:
   const Stencil &s_;
-  const Role *role_;
-  const double *normal_;
   const int *col_;
   const double *dw_;
   std::array<const double *, D> e_;
@@ -150,7 +126,7 @@ void divergence(const Cloud &cloud, const Rows &rows, const double *v, double *d
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for_rows(rows, [&](int i) {
-      div[i] = sums.template vector_of_all<D>(i, v).cwiseProduct(correction<D>(g, i)).sum();
+      div[i] = sums.template vector<D>(i, v).cwiseProduct(correction<D>(g, i)).sum();
     });
   });
 }
@@ -185,7 +161,7 @@ void curl(const Cloud &cloud, const Rows &rows, const double *v, double *out)
   with_sums(cloud, [&](const auto &sums) {
     constexpr int D = std::decay_t<decltype(sums)>::DIM;
     for_rows(rows, [&](int i) {
-      const Mat<3> grad = in_space<D>(sums.template vector_of_all<3>(i, v), correction<D>(g, i));
+      const Mat<3> grad = in_space<D>(sums.template vector<3>(i, v), correction<D>(g, i));
       store<3>(Vec<3>(grad(2, 1) - grad(1, 2), grad(0, 2) - grad(2, 0), grad(1, 0) - grad(0, 1)),
                out, i);
     });

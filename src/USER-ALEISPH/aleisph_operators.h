@@ -127,16 +127,17 @@ class LaplacianWeights {
 // grad[3*i+a] = (grad f)_i
 void gradient(const Cloud &cloud, const Rows &rows, const double *f, double *grad);
 
-// div[i] = (div v)_i. Slip walls have the tangential velocity of the fluid: slide_with_fluid() in
-// aleisph_wall_contact.h.
+// Derivatives of a velocity: slip walls have the tangential velocity of the fluid, see
+// slide_with_fluid() in aleisph_wall_contact.h.
+
+// div[i] = (div v)_i
 void divergence(const Cloud &cloud, const Rows &rows, const double *v, double *div);
 
-// out[3*i+a] = (c_i . grad) v_a. For a slip wall neighbour j only the normal part of v_j - v_i
-// counts: the tangential part follows the fluid.
+// out[3*i+a] = (c_i . grad) v_a
 void convection(const Cloud &cloud, const Rows &rows, const double *c, const double *v,
                 double *out);
 
-// out[9*i+3*a+b] = d v_a/d x_b, slip walls as in convection()
+// out[9*i+3*a+b] = d v_a/d x_b
 void velocity_gradient(const Cloud &cloud, const Rows &rows, const double *v, double *out);
 
 // out[3*i+a] = (lap v_a)_i, neighbours with role SLIP left out (v_j := v_i)

@@ -16,17 +16,24 @@ namespace {
 // where two layers are within the support, it is 0.02; where there is one layer, zero.
 constexpr double MIN_PIVOT = 2.0e-3;
 
-// function(j, omega, x_j - x_i in spacings) for the fluid neighbours j of row i
-template <class F> void for_fluid(const Cloud &cloud, int i, F &&function)
+// function(j, omega, x_j - x_i in spacings) for the neighbours j of row i that are fluid as `is_fluid`
+// has it
+template <class Is, class F> void for_fluid(const Cloud &cloud, int i, Is &&is_fluid, F &&function)
 {
   const Stencil &s = cloud.stencil();
   const double d = cloud.spacing();
   for (int k = s.begin(i); k < s.end(i); k++) {
     const int j = s.col()[k];
-    if (!bound_fluid(cloud.role()[j])) continue;
+    if (!is_fluid(cloud.role()[j])) continue;
     const double omega = -cloud.volume() * s.dw()[k] * d * d / s.r()[k];
     function(j, omega, Eigen::Vector3d(-separation(s, k) / d));
   }
+}
+
+// what flies freely slides along walls, too
+bool any_fluid(Role role)
+{
+  return (role & FLUID) && !(role & (WALL | BUFFER));
 }
 
 struct Mean {
@@ -37,7 +44,7 @@ struct Mean {
 Mean mean_velocity(const Cloud &cloud, int i, const double *v)
 {
   Mean mean;
-  for_fluid(cloud, i, [&](int j, double omega, const Eigen::Vector3d &) {
+  for_fluid(cloud, i, any_fluid, [&](int j, double omega, const Eigen::Vector3d &) {
     mean.weight += omega;
     mean.v += omega * at(v, j);
   });
@@ -52,7 +59,7 @@ template <int D, class F> void fit(const Cloud &cloud, int i, const F &value, do
   using Matrix = Eigen::Matrix<double, D + 1, D + 1>;
   Matrix moments = Matrix::Zero();
   Vector right = Vector::Zero();
-  for_fluid(cloud, i, [&](int j, double omega, const Eigen::Vector3d &r) {
+  for_fluid(cloud, i, bound_fluid, [&](int j, double omega, const Eigen::Vector3d &r) {
     const double of_j = value(j);
     if (std::isnan(of_j)) return;
     Vector f;
@@ -114,7 +121,7 @@ void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f)
 {
   for_rows(walls, [&](int i) {
     double sum = 0.0, weights = 0.0;
-    for_fluid(cloud, i, [&](int j, double omega, const Eigen::Vector3d &) {
+    for_fluid(cloud, i, bound_fluid, [&](int j, double omega, const Eigen::Vector3d &) {
       if (cloud.role()[j] & SURFACE) return;
       sum += omega * f[j];
       weights += omega;

@@ -118,7 +118,7 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   double previous_dt_;      // of the stored acceleration, 0 if there is none
   double memory_dt_;        // of the step that the memory is of; 0: of an instant
 
-  std::vector<double> a_, work_, known_, relative_;    // 3 per owned particle
+  std::vector<double> a_, work_, known_, relative_, sliding_;    // 3 per owned particle
   std::unique_ptr<aleisph::CsrMatrix> viscous_;
   std::unique_ptr<AleisphHaloSolver> solver_;
   long viscous_version_;

@@ -36,7 +36,7 @@ void FixAleisphPredictor::setup(int)
   auto &cloud = owner_->cloud();
   start(a_);
   add_body(a_);
-  aleisph::convection(cloud, cloud.fluid(), v, v, work_.data());
+  aleisph::convection(cloud, cloud.fluid(), v, sliding_velocity(*owner_, sliding_), work_.data());
   aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int a = 0; a < 3; a++) a_[3 * i + a] -= work_[3 * i + a];
   });
@@ -82,7 +82,7 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
     for (std::size_t k = 0; k < a.size(); k++) relative_[k] = shifted() ? -w[k] : v[k] - w[k];
     c = relative_.data();
   }
-  aleisph::convection(cloud, cloud.fluid(), c, v, work_.data());
+  aleisph::convection(cloud, cloud.fluid(), c, sliding_velocity(*owner_, sliding_), work_.data());
   aleisph::for_rows(cloud.fluid(), [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
   });

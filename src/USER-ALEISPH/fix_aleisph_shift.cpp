@@ -230,7 +230,7 @@ void FixAleisphShift::add_acceleration(double *a)
   rows_ = aleisph::select_rows(cloud.fluid(), [&](int i) {
     return (cloud.role()[i] & aleisph::SURFACE) || neighbours.any(i, aleisph::SURFACE);
   });
-  aleisph::velocity_gradient(cloud, rows_, owner_->fields().velocity().all(), grad_v_.data());
+  aleisph::velocity_gradient(cloud, rows_, sliding_velocity(*owner_, sliding_), grad_v_.data());
   owner_->ranks().forward(grad_v_.data(), 9);
   work_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   aleisph::surface_velocity_filter(cloud, rows_, owner_->fields().velocity().all(), grad_v_.data(),

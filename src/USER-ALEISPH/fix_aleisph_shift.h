@@ -72,7 +72,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   bool started_;    // d2_aleisph_u has been set, now or before a restart
   double coefficient_, limited_total_;
   int limited_;
-  std::vector<double> eps_, dr_, grad_v_, work_, normal_;
+  std::vector<double> eps_, dr_, grad_v_, sliding_, work_, normal_;
   aleisph::Rows rows_;    // on or next to the surface
 };
 

@@ -150,7 +150,7 @@ void FixAleisphSurface::find_stress()
   const auto n = static_cast<std::size_t>(atom->nlocal);
   grad_v_.resize(9 * n);
   p_.assign(n, 0.0);
-  aleisph::velocity_gradient(cloud, rows, owner_->fields().velocity().all(), grad_v_.data());
+  aleisph::velocity_gradient(cloud, rows, sliding_velocity(*owner_, sliding_), grad_v_.data());
   const double mu = owner_->fluid().rho0 * owner_->scene().viscosity();
   aleisph::add_viscous_pressure(rows, cloud.normal(), mu, grad_v_.data(), domain->dimension,
                                 p_.data());

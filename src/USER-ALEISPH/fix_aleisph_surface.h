@@ -56,7 +56,7 @@ class FixAleisphSurface : public Fix, public aleisph::SurfaceLoad {
   class FixAleisph *owner_;
   long version_;    // of the positions that the flags belong to
   std::unique_ptr<aleisph::SurfaceCount> count_;
-  std::vector<double> p_, grad_v_;
+  std::vector<double> p_, grad_v_, sliding_;
 };
 
 }    // namespace LAMMPS_NS

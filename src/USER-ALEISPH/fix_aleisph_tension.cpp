@@ -251,7 +251,7 @@ void FixAleisphTension::find_pressure()
 void FixAleisphTension::find_velocity_gradient(const aleisph::Rows &rows)
 {
   grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(owner_->cloud(), rows, owner_->fields().velocity().all(),
+  aleisph::velocity_gradient(owner_->cloud(), rows, sliding_velocity(*owner_, sliding_),
                              grad_v_.data());
 }
 

@@ -101,7 +101,7 @@ class FixAleisphTension :
 
   std::vector<double> cosine_;    // of the contact angle, owned and ghost
   std::vector<double> p_;         // of the surface, owned
-  std::vector<double> grad_v_;
+  std::vector<double> grad_v_, sliding_;
 };
 
 }    // namespace LAMMPS_NS

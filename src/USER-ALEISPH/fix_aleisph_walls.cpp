@@ -146,18 +146,20 @@ void LAMMPS_NS::slide_with_fluid(FixAleisph &owner, const aleisph::Field &v)
   owner.ranks().forward(v);
 }
 
+const double *LAMMPS_NS::sliding_velocity(FixAleisph &owner, std::vector<double> &work)
+{
+  const double *v = owner.fields().velocity().all();
+  if (!owner.scene().has(aleisph::SLIP)) return v;
+  work.assign(v, v + 3 * static_cast<std::size_t>(owner.cloud().size()));
+  bool valid = true;
+  slide_with_fluid(owner, {work.data(), 3, valid});
+  return work.data();
+}
+
 void LAMMPS_NS::velocity_divergence(FixAleisph &owner, double *div)
 {
-  auto &cloud = owner.cloud();
-  const aleisph::Field velocity = owner.fields().velocity();
-  owner.ranks().forward(velocity);
-  const double *v = velocity.all();
-  std::vector<double> sliding;
-  if (owner.scene().has(aleisph::SLIP)) {
-    sliding.assign(v, v + 3 * static_cast<std::size_t>(cloud.size()));
-    bool valid = true;
-    slide_with_fluid(owner, {sliding.data(), 3, valid});
-    v = sliding.data();
-  }
-  aleisph::divergence(cloud, cloud.fluid(), v, div);
+  owner.ranks().forward(owner.fields().velocity());
+  std::vector<double> work;
+  const double *v = sliding_velocity(owner, work);
+  aleisph::divergence(owner.cloud(), owner.cloud().fluid(), v, div);
 }
