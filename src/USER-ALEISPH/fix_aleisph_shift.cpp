@@ -34,27 +34,23 @@ constexpr char SHIFT[] = "aleisph_u";
 // between surface and fluid
 constexpr double RATE_SURFACE = 0.3;
 constexpr double MAX_SMOOTHING = 0.5, MAX_FILTER = 1.0;    // a larger share per step overshoots
-constexpr double MAX_VELOCITY = 1.0e4;    // spacings in a time step; beyond, a slip of the pen
 // off walls, in spacings per U dt/d, and per step
 constexpr double WALL_RATE = 0.25, WALL_STEP = 0.05;
 // Skillen, Lind, Stansby & Rogers, Comput. Methods Appl. Mech. Engrg. 265 (2013) 163: D = 2 h |u| dt
 constexpr double RATE_FULL = 2.0;
 
-const aleisph::Record RECORD("aleisph/shift", 2,
+const aleisph::Record RECORD("aleisph/shift", 3,
                              {{"whether it has started", 0.0, 1.0},
-                              {"the number of limited shifts", 0.0, aleisph::Record::MANY}});
-
-double dot(const double *a, const double *b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+                              {"the number of limited shifts", 0.0, aleisph::Record::MANY},
+                              {"the velocity scale", 0.0, std::numeric_limits<double>::max()}});
 
 }    // namespace
 
 FixAleisphShift::FixAleisphShift(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_(std::make_unique<aleisph::ShiftParams>()),
     eigenvalue_normal_(false), rate_(-1.0), step_(-1.0), smoothing_(-1.0), filter_(-1.0),
-    owner_(nullptr), started_(false), coefficient_(0.0), limited_total_(0.0), limited_(0)
+    owner_(nullptr), started_(false), coefficient_(0.0), scale_(0.0), limited_total_(0.0),
+    limited_(0)
 {
   parse(narg, arg);
   restart_global = 1;
@@ -101,70 +97,12 @@ double FixAleisphShift::rate() const
 {
   if (rate_ >= 0.0) return rate_;
   if (params_->model != ShiftModel::DENSITY) return RATE_FULL;
-  return owner_->scene().surface().present ? RATE_SURFACE : RATE_FULL;
+  return strain() || owner_->scene().surface().present ? RATE_SURFACE : RATE_FULL;
 }
 
 double FixAleisphShift::dt_over_d() const
 {
   return update->dt / owner_->cloud().spacing();
-}
-
-double FixAleisphShift::largest_speed() const
-{
-  return std::sqrt(owner_->ranks().max(largest_head(nullptr)));
-}
-
-// The velocity that the fluid has, or would have after it has fallen to its lowest point: for
-// gravity g, the largest sqrt(v^2 + 2 g h). The lowest particle is one spacing above the floor, as
-// particles on a lattice are.
-double FixAleisphShift::head() const
-{
-  const auto &ranks = owner_->ranks();
-  const auto &fluid = owner_->cloud().fluid();
-  double mean[4] = {0.0, 0.0, 0.0, static_cast<double>(fluid.size())};    // of the force
-  for (int a = 0; a < 3; a++)
-    mean[a] = aleisph::sum_rows(fluid, [this, a](int i) { return atom->f[i][a]; });
-  ranks.sum(4, mean);
-  if (mean[3] == 0.0) return 0.0;
-  double g[3];
-  for (int a = 0; a < 3; a++) g[a] = mean[a] / (mean[3] * particle_mass(*owner_));
-
-  const double lowest = ranks.max(aleisph::max_rows(
-      fluid, [&](int i) { return dot(g, atom->x[i]); }, -std::numeric_limits<double>::max()));
-  const double floor = lowest + std::sqrt(dot(g, g)) * owner_->cloud().spacing();
-  return std::sqrt(std::max(0.0, ranks.max(largest_head(g)) + 2.0 * floor));
-}
-
-// of this rank: max (v^2 - 2 g.x); g: null for none
-double FixAleisphShift::largest_head(const double *g) const
-{
-  const double *v = owner_->fields().velocity().owned();
-  const auto head = [&](int i) {
-    return dot(v + 3 * i, v + 3 * i) - (g ? 2.0 * dot(g, atom->x[i]) : 0.0);
-  };
-  return aleisph::max_rows(owner_->cloud().fluid(), head,
-                           g ? -std::numeric_limits<double>::max() : 0.0);
-}
-
-// U
-double FixAleisphShift::velocity_scale()
-{
-  if (!velocity_) {
-    const bool falls = scale_.empty() ? owner_->scene().surface().present : scale_ == "head";
-    return falls ? head() : largest_speed();
-  }
-  const AleisphVariable::Evaluation evaluation(lmp, !velocity_->constant());
-  const double value = velocity_->equal();
-  if (!(value >= 0.0) || !std::isfinite(value))
-    error->all(FLERR, "Fix aleisph/shift: variable {} must not be negative, it is {} at step {}",
-               velocity_->name(), value, update->ntimestep);
-  const double most = MAX_VELOCITY / dt_over_d();
-  if (value > most)
-    error->all(FLERR,
-               "Fix aleisph/shift: velocity {} is above {:.4g} at step {}, {} spacings in a time "
-               "step; look at the units",
-               value, most, update->ntimestep, MAX_VELOCITY);
-  return value;
 }
 
 void FixAleisphShift::shift()
@@ -175,8 +113,9 @@ void FixAleisphShift::shift()
   const double *v = velocity.all();
 
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
-  const double scale = velocity_scale() * dt_over_d();
-  params_->coefficient = coefficient_ = step_ >= 0.0 ? step_ : rate() * scale;
+  scale_ = velocity_scale();
+  const double scale = scale_ * dt_over_d();
+  params_->coefficient = coefficient_ = step_ >= 0.0 ? step_ : bounded(rate() * scale);
   params_->smoothing = std::min(smoothing_ * scale, MAX_SMOOTHING);
   params_->wall_step = params_->wall_distance > 0.0 ? std::min(WALL_RATE * scale, WALL_STEP) : 0.0;
   params_->dt = update->dt;
@@ -221,7 +160,8 @@ const double *FixAleisphShift::find_normals()
 
 void FixAleisphShift::add_acceleration(double *a)
 {
-  const double share = std::min(per_step(filter_), MAX_FILTER);
+  const double U = strain() ? scale_ : velocity_scale();
+  const double share = std::min(filter_ * U * dt_over_d(), MAX_FILTER);
   auto &cloud = owner_->cloud();
   aleisph::Timers::Scope scope(owner_->timers(), Part::SHIFT);
   const std::size_t nall = cloud.size();
@@ -247,7 +187,7 @@ void FixAleisphShift::write_restart(FILE *fp)
   double total;
   MPI_Reduce(&limited_total_, &total, 1, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me) return;
-  write_record(fp, RECORD, {static_cast<double>(started_), total});
+  write_record(fp, RECORD, {static_cast<double>(started_), total, scale_});
 }
 
 void FixAleisphShift::restart(char *buf)
@@ -255,6 +195,7 @@ void FixAleisphShift::restart(char *buf)
   const auto state = read_record(error, this, RECORD, buf);
   started_ = state[0] != 0.0;
   limited_total_ = comm->me == 0 ? state[1] : 0.0;
+  scale_ = state[2];
 }
 
 // C, shifts limited in this step and in all, largest |dr|/d, mean density deviation
@@ -287,5 +228,5 @@ double FixAleisphShift::compute_vector(int n)
 double FixAleisphShift::memory_usage()
 {
   return sizeof(double) *
-      (eps_.size() + dr_.size() + grad_v_.size() + work_.size() + normal_.size());
+      (eps_.size() + dr_.size() + grad_v_.size() + work_.size() + normal_.size() + grad_p_.size());
 }

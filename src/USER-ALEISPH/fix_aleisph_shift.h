@@ -55,11 +55,13 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   void shift();
   const double *find_normals();
   double velocity_scale();
+  double flow_scale();
+  bool strain() const;
+  double bounded(double coefficient);
   double largest_speed() const;
   double head() const;
   double largest_head(const double *g) const;
   double rate() const;
-  double per_step(double rate) { return rate * velocity_scale() * dt_over_d(); }
   double dt_over_d() const;
 
   std::unique_ptr<aleisph::ShiftParams> params_;
@@ -67,12 +69,13 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double rate_, step_;                           // C = rate() U dt/d, or step; < 0: not given
   double smoothing_, filter_;                    // rates, < 0: the variant's own
   std::unique_ptr<AleisphVariable> velocity_;    // U, null if not given as a number or variable
-  std::string scale_;                            // else max or head; empty: not given
+  std::string of_;                               // else strain, max or head; empty: not given
   class FixAleisph *owner_;
   bool started_;    // d2_aleisph_u has been set, now or before a restart
-  double coefficient_, limited_total_;
+  double coefficient_, scale_, limited_total_;    // scale_: U of the last shift
+  double largest_ = 0.0;                          // C, of U from the flow; 0: not known yet
   int limited_;
-  std::vector<double> eps_, dr_, grad_v_, sliding_, work_, normal_;
+  std::vector<double> eps_, dr_, grad_v_, grad_p_, sliding_, work_, normal_;
   aleisph::Rows rows_;    // on or next to the surface
 };
 

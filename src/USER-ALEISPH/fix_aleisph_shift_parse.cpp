@@ -76,9 +76,9 @@ void FixAleisphShift::parse(int narg, char **arg)
       step_ = at_most(MAX_RATE);
     } else if (key == "velocity") {
       velocity_.reset();
-      scale_.clear();
-      if (value == "max" || value == "head") {
-        scale_ = value;
+      of_.clear();
+      if (value == "max" || value == "head" || value == "strain") {
+        of_ = value;
       } else {
         if (!utils::strmatch(value, "^v_")) positive();
         velocity_ = std::make_unique<AleisphVariable>(lmp, "Fix aleisph/shift", "keyword velocity",
@@ -110,6 +110,7 @@ void FixAleisphShift::set_defaults(const std::set<std::string> &words)
   const bool accurate = params_->model == ShiftModel::DENSITY && !params_->published;
   if (smoothing_ < 0.0) smoothing_ = accurate ? SMOOTHING : 0.0;
   if (filter_ < 0.0) filter_ = accurate ? FILTER : 0.0;
+  if (accurate && !words.count("velocity")) of_ = "strain";
   if (!params_->published) return;
   if (!words.count("pair")) params_->printed_pair = true;
   if (!words.count("normal")) eigenvalue_normal_ = true;
@@ -131,6 +132,10 @@ void FixAleisphShift::check_keywords(const std::set<std::string> &words) const
     if (words.count(key) && !params_->published)
       error->all(FLERR, "Fix aleisph/shift: keyword {} needs model density, variant published",
                  key);
+  if (of_ == "strain" && (!density || params_->published))
+    error->all(FLERR,
+               "Fix aleisph/shift: velocity strain needs model density, variant accurate; use a "
+               "number, max or head");
   if (words.count("rate") && words.count("step"))
     error->all(FLERR, "Fix aleisph/shift: use either keyword rate or keyword step");
 }
