@@ -652,14 +652,14 @@ const std::vector<Setting> &settings()
   static const std::vector<Setting> all = {
       {"density", "density velocity 2.0 limit 0.02", "", ""},
       {"strain", "density limit 0.02", "", ""},
-      {"max", "density velocity max limit 0.02", "", ""},
       {"ops", "ops velocity 2.0", "", ""},
       {"all guards", "density velocity 2.0 surface positive limit 0.02",
        "fix guard fluid aleisph/guard walls 0.6 collision 0.9 pressure 0 selfterm yes "
        "symmetric 0.5 cap 0.7",
        ""},
       {"steps chosen", "density velocity 2.0", "fix guard fluid aleisph/guard walls 0.6",
-       "fix dt all aleisph/dt 3 cfl 0.1"}};
+       "fix dt all aleisph/dt 3 cfl 0.1"},
+      {"max", "density velocity max limit 0.02", "", ""}};
   return all;
 }
 
