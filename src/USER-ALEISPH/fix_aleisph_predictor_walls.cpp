@@ -61,22 +61,24 @@ void FixAleisphPredictor::meet_walls(double *vstar)
 
 /* ----------------------------------------------------------------------
    The viscous force on no-slip walls, that the pressure gradient balances:
-     default    its normal part, as of the fluid beside the wall: lap v there, by a
-                linear fit
      curlcurl   lap v = -curl curl v, for a divergence-free v, at the wall itself.
                 The Laplacian there is one-sided, which is unstable.
+     default    its normal part. Where no particle moves that of the fluid beside
+                the wall, by a linear fit to lap v there, which is exact in channels
+                up to their open ends; among particles that move this is unstable
+                at viscous steps, and it is that of curlcurl.
 ------------------------------------------------------------------------- */
 
 void FixAleisphPredictor::add_wall_viscosity(std::vector<double> &a)
 {
   if (nu_ == 0.0 || !owner_->scene().has(aleisph::WALL)) return;
-  const auto &cloud = owner_->cloud();
-  const aleisph::Role *role = cloud.role();
+  const aleisph::Role *role = owner_->cloud().role();
   std::vector<double> lap(a.size(), 0.0);
-  find_wall_laplacian(lap.data());
-  if (owner_->scene().has(aleisph::CURLCURL)) find_wall_curl(lap.data());
+  const bool moving = owner_->scene().moving();
+  if (!moving) find_wall_laplacian(lap.data());
+  if (moving || owner_->scene().has(aleisph::CURLCURL)) find_wall_curl(lap.data());
   const aleisph::Rows rows = aleisph::select_rows(
-      cloud.wall(), [role](int i) { return !(role[i] & aleisph::SLIP); });
+      owner_->cloud().wall(), [role](int i) { return !(role[i] & aleisph::SLIP); });
   if (params_.theta > 0.0) approach_gradually(rows, lap.data());
   aleisph::for_rows(rows, [&](int i) {
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] += nu_ * lap[k];
@@ -100,18 +102,30 @@ void FixAleisphPredictor::find_wall_laplacian(double *lap)
   });
 }
 
+// On walls that ask for it, and where particles move its normal part on the others. The vorticity is
+// needed on walls and on what sees them.
 void FixAleisphPredictor::find_wall_curl(double *lap)
 {
   auto &cloud = owner_->cloud();
-  const aleisph::Rows rows = aleisph::select_rows(
-      cloud.wall(), [&](int i) { return cloud.role()[i] & aleisph::CURLCURL; });
+  const aleisph::Role *role = cloud.role();
+  const bool moving = owner_->scene().moving();
+  const aleisph::Rows rows = aleisph::select_rows(cloud.wall(), [&](int i) {
+    return (role[i] & aleisph::CURLCURL) || (moving && !(role[i] & aleisph::SLIP));
+  });
+  const aleisph::SeenRoles neighbours = cloud.neighbours();
+  const aleisph::Rows beside = aleisph::select_rows(cloud.all(), [&](int i) {
+    return (role[i] & aleisph::WALL) || neighbours.any(i, aleisph::WALL);
+  });
   std::vector<double> vorticity(3 * static_cast<std::size_t>(cloud.size()), 0.0);
   std::vector<double> curls(3 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::curl(cloud, cloud.all(), owner_->fields().velocity().all(), vorticity.data());
+  aleisph::curl(cloud, beside, owner_->fields().velocity().all(), vorticity.data());
   owner_->ranks().forward(vorticity.data(), 3);
   aleisph::curl(cloud, rows, vorticity.data(), curls.data());
   aleisph::for_rows(rows, [&](int i) {
-    for (int k = 3 * i; k < 3 * i + 3; k++) lap[k] = -curls[k];
+    const double *n = cloud.normal() + 3 * i, *curl = &curls[3 * i];
+    const bool whole = role[i] & aleisph::CURLCURL;
+    const double normal = curl[0] * n[0] + curl[1] * n[1] + curl[2] * n[2];
+    for (int c = 0; c < 3; c++) lap[3 * i + c] = whole ? -curl[c] : -normal * n[c];
   });
 }
 
