@@ -10,6 +10,7 @@
 
 #include "aleisph_cloud.h"
 #include "aleisph_shift.h"
+#include "aleisph_vectors.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -98,6 +99,34 @@ double flow_scale(const FlowSums &sums, double d, double rho0)
   const double strain = std::sqrt(sums.strain / sums.count);
   const double acceleration = std::sqrt(sums.gradient / sums.count) / rho0;
   return SPAN * d * strain + std::sqrt(acceleration * d);
+}
+
+Rows surface_that_works(const Cloud &cloud)
+{
+  const Role *const role = cloud.role();
+  return select_rows(cloud.fluid(),
+                     [role](int i) { return (role[i] & SURFACE) && !(role[i] & BALLISTIC); });
+}
+
+SurfaceWork surface_work(const Cloud &cloud, const Rows &rows, const double *e, double e_mean,
+                         const double *dr)
+{
+  SurfaceWork sums;
+  sums.work = sum_rows(
+      rows, [&](int i) { return at(dr, i).dot(at(cloud.normal(), i)) * (e[i] - e_mean); });
+  sums.square = sum_rows(rows, [&](int i) { return (e[i] - e_mean) * (e[i] - e_mean); });
+  return sums;
+}
+
+void remove_surface_work(const Cloud &cloud, const Rows &rows, const double *e, double e_mean,
+                         const SurfaceWork &total, double *dr)
+{
+  if (!(total.work > 0.0 && total.square > 0.0)) return;
+  const double share = total.work / total.square;
+  for_rows(rows, [&](int i) {
+    for (int a = 0; a < 3; a++)
+      dr[3 * i + a] -= share * (e[i] - e_mean) * cloud.normal()[3 * i + a];
+  });
 }
 
 double largest_coefficient(const Kernel &kernel, double d)

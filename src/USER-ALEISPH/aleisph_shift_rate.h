@@ -39,5 +39,21 @@ double flow_scale(const FlowSums &sums, double d, double rho0);
 // of wave length 4 d grow from step to step. 0.17 in 2d, 0.07 in 3d (default kernel).
 double largest_coefficient(const Kernel &kernel, double d);
 
+// The work of the shift on the surface. What is on the surface has no pressure, so that moving it by
+// dr_n along the normal changes the energy by that of the fluid there, e = v^2/2 + phi per mass. A
+// shift that is the same everywhere restores the volume; the rest does the work
+//   W = sum dr_n (e - <e>), over surface particles that are not ballistic.
+// If W > 0 the shift feeds waves: the part of dr_n in proportion to e - <e> is taken away, which
+// leaves W = 0. Work that is taken from the flow is left.
+struct SurfaceWork {
+  double work = 0.0, square = 0.0;    // W; sum (e - <e>)^2
+};
+Rows surface_that_works(const Cloud &cloud);
+// e of the rows listed, e_mean their mean: sums to be added over ranks
+SurfaceWork surface_work(const Cloud &cloud, const Rows &rows, const double *e, double e_mean,
+                         const double *dr);
+void remove_surface_work(const Cloud &cloud, const Rows &rows, const double *e, double e_mean,
+                         const SurfaceWork &total, double *dr);
+
 }    // namespace aleisph
 #endif

@@ -129,6 +129,7 @@ void FixAleisphShift::shift()
   dr_.assign(3 * static_cast<std::size_t>(atom->nlocal), 0.0);
   const auto count = aleisph::compute_shift(cloud, *params_, eps_.data(), v, dr_.data(),
                                             find_normals());
+  if (strain() && owner_->scene().surface().present) remove_work();
   limited_ = count.limited;
   limited_total_ += count.limited;
 
@@ -228,5 +229,6 @@ double FixAleisphShift::compute_vector(int n)
 double FixAleisphShift::memory_usage()
 {
   return sizeof(double) *
-      (eps_.size() + dr_.size() + grad_v_.size() + work_.size() + normal_.size() + grad_p_.size());
+      (eps_.size() + dr_.size() + grad_v_.size() + work_.size() + normal_.size() + grad_p_.size() +
+       sliding_.size() + energy_.size());
 }

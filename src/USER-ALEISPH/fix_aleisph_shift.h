@@ -21,6 +21,7 @@ FixStyle(aleisph/shift,FixAleisphShift);
 #include "aleisph_scene.h"
 #include "fix.h"
 
+#include <array>
 #include <memory>
 #include <set>
 #include <string>
@@ -56,6 +57,8 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   const double *find_normals();
   double velocity_scale();
   double flow_scale();
+  std::array<double, 3> mean_force() const;
+  void remove_work();
   bool strain() const;
   double bounded(double coefficient);
   double largest_speed() const;
@@ -75,7 +78,7 @@ class FixAleisphShift : public Fix, private aleisph::Acceleration {
   double coefficient_, scale_, limited_total_;    // scale_: U of the last shift
   double largest_ = 0.0;                          // C, of U from the flow; 0: not known yet
   int limited_;
-  std::vector<double> eps_, dr_, grad_v_, grad_p_, sliding_, work_, normal_;
+  std::vector<double> eps_, dr_, grad_v_, grad_p_, sliding_, work_, normal_, energy_;
   aleisph::Rows rows_;    // on or next to the surface
 };
 

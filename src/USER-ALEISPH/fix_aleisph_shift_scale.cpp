@@ -78,13 +78,9 @@ double FixAleisphShift::head() const
 {
   const auto &ranks = owner_->ranks();
   const auto &fluid = owner_->cloud().fluid();
-  double mean[4] = {0.0, 0.0, 0.0, static_cast<double>(fluid.size())};    // of the force
-  for (int a = 0; a < 3; a++)
-    mean[a] = aleisph::sum_rows(fluid, [this, a](int i) { return atom->f[i][a]; });
-  ranks.sum(4, mean);
-  if (mean[3] == 0.0) return 0.0;
-  double g[3];
-  for (int a = 0; a < 3; a++) g[a] = mean[a] / (mean[3] * particle_mass(*owner_));
+  const auto force = mean_force();
+  if (ranks.sum(static_cast<long>(fluid.size())) == 0) return 0.0;
+  const double *g = force.data();
 
   const double lowest = ranks.max(aleisph::max_rows(
       fluid, [&](int i) { return dot(g, atom->x[i]); }, -std::numeric_limits<double>::max()));
@@ -123,4 +119,43 @@ double FixAleisphShift::velocity_scale()
                "step; look at the units",
                value, most, update->ntimestep, MAX_VELOCITY);
   return value;
+}
+
+// of gravity and other forces on the fluid, per mass
+std::array<double, 3> FixAleisphShift::mean_force() const
+{
+  const auto &fluid = owner_->cloud().fluid();
+  double mean[4] = {0.0, 0.0, 0.0, static_cast<double>(fluid.size())};
+  for (int a = 0; a < 3; a++)
+    mean[a] = aleisph::sum_rows(fluid, [this, a](int i) { return atom->f[i][a]; });
+  owner_->ranks().sum(4, mean);
+  std::array<double, 3> g{};
+  for (int a = 0; a < 3 && mean[3] > 0.0; a++) g[a] = mean[a] / (mean[3] * particle_mass(*owner_));
+  return g;
+}
+
+// Of the shift on the surface, see aleisph_shift_rate.h; phi is that of a uniform force. Without a
+// force there are no waves to feed, and a rotating patch loses more energy with this than without.
+void FixAleisphShift::remove_work()
+{
+  const auto &cloud = owner_->cloud();
+  const auto &ranks = owner_->ranks();
+  const aleisph::Rows rows = aleisph::surface_that_works(cloud);
+  const auto g = mean_force();
+  if (dot(g.data(), g.data()) == 0.0) return;
+  const double *v = owner_->fields().velocity().owned();
+  energy_.assign(atom->nlocal, 0.0);
+  aleisph::for_rows(rows, [&](int i) {
+    energy_[i] = 0.5 * dot(v + 3 * i, v + 3 * i) - dot(g.data(), atom->x[i]);
+  });
+  double mean[2] = {aleisph::sum_rows(rows, [this](int i) { return energy_[i]; }),
+                    static_cast<double>(rows.size())};
+  ranks.sum(2, mean);
+  if (mean[1] == 0.0) return;
+  mean[0] /= mean[1];
+  const auto mine = aleisph::surface_work(cloud, rows, energy_.data(), mean[0], dr_.data());
+  double total[2] = {mine.work, mine.square};
+  ranks.sum(2, total);
+  aleisph::remove_surface_work(cloud, rows, energy_.data(), mean[0], {total[0], total[1]},
+                               dr_.data());
 }

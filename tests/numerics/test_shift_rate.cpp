@@ -94,3 +94,34 @@ TEST(ShiftRate, LargestCoefficientIsANumber)
                 ROUNDING);
   }
 }
+
+// On a flat surface with e = x: what raises the surface by a + b x does the work b sum x^2, which goes,
+// and a stays. What lowers it where e is large, and what does not fly with the fluid, is left.
+TEST(ShiftRate, SurfaceDoesNoWork)
+{
+  Scene scene = half_lattice(2);
+  const int ballistic = scene.rows(SURFACE).front();
+  scene.role[ballistic] |= BALLISTIC;
+  const Shifting shifting(scene);
+  const Rows rows = surface_that_works(shifting.cloud());
+  ASSERT_EQ(rows.size() + 1, scene.rows(SURFACE).size());
+  std::vector<double> e(shifting.size());
+  double mean = 0.0;
+  for (int i = 0; i < shifting.size(); i++) e[i] = scene.points[i][0];
+  for (int i : rows) mean += e[i] / static_cast<double>(rows.size());
+  for (double b : {0.3, -0.3}) {
+    std::vector<double> dr(3 * shifting.size());
+    for (int i = 0; i < shifting.size(); i++) {
+      dr[3 * i] = 0.7;
+      dr[3 * i + 1] = 0.2 + b * (e[i] - mean);
+    }
+    const auto before = dr;
+    const auto work = surface_work(shifting.cloud(), rows, e.data(), mean, dr.data());
+    EXPECT_NEAR(work.work, b * work.square, ROUNDING);
+    remove_surface_work(shifting.cloud(), rows, e.data(), mean, work, dr.data());
+    auto expected = before;
+    if (b > 0.0)
+      for (int i : rows) expected[3 * i + 1] = 0.2;
+    for (std::size_t k = 0; k < dr.size(); k++) EXPECT_NEAR(dr[k], expected[k], ROUNDING);
+  }
+}
