@@ -60,6 +60,20 @@ bool singular_wall(const Cloud &cloud, int i, double diagonal, const PpeOptions 
       too_few_fluid(cloud.stencil(), cloud.role(), i, options.min_wall_fluid);
 }
 
+// Where the fluid lies to one side, the exactness for linear functions is bought with wall neighbours
+// of the wrong sign. A few such rows together make the matrix nearly singular. Here they weigh at most
+// MAX_WRONG_SIGN of those of the right sign: the diagonal is at least a third of the sum of all.
+bool limit_wrong_signs(CsrMatrix &A, int i)
+{
+  double right = 0.0, wrong = 0.0;
+  for (int k = A.begin(i); k < A.end(i); k++)
+    (A.val(k) < 0.0 ? right : wrong) += std::fabs(A.val(k));
+  if (wrong <= MAX_WRONG_SIGN * right) return false;
+  for (int k = A.begin(i); k < A.end(i); k++)
+    if (A.val(k) > 0.0) A.val(k) *= MAX_WRONG_SIGN * right / wrong;
+  return true;
+}
+
 // the off-diagonal entries of row i of -d n.grad; returns alpha/d
 double wall_row(const Cloud &cloud, int i, bool isotropic, CsrMatrix &A)
 {
@@ -71,24 +85,38 @@ double wall_row(const Cloud &cloud, int i, bool isotropic, CsrMatrix &A)
   return alpha;
 }
 
-// Next to a free surface the neighbours are too one-sided: the row would feed energy into the flow
-bool isotropic(const Cloud &cloud, int i, const PpeOptions &options)
+bool next_to_surface(const Cloud &cloud, int i)
 {
   const Stencil &s = cloud.stencil();
-  bool inside = options.isotropic_walls;
-  for (int k = s.begin(i); k < s.end(i) && inside; k++)
-    inside = !(cloud.role()[s.col()[k]] & SURFACE);
-  return inside;
+  for (int k = s.begin(i); k < s.end(i); k++)
+    if (cloud.role()[s.col()[k]] & SURFACE) return true;
+  return false;
+}
+
+struct WallRow {
+  double alpha = 0.0;
+  bool limited = false;
+};
+
+// Next to a free surface the neighbours are too one-sided for isotropic rows: they would feed energy
+// into the flow
+WallRow wall_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A)
+{
+  WallRow row;
+  const bool surface = options.isotropic_walls && next_to_surface(cloud, i);
+  row.alpha = wall_row(cloud, i, options.isotropic_walls && !surface, A);
+  row.limited = surface && limit_wrong_signs(A, i);
+  return row;
 }
 
 RowType assemble_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A,
-                     double &alpha)
+                     WallRow &wall)
 {
   const Role role = cloud.role()[i];
   const double d = cloud.spacing();
   const RowType type = wanted_type(role);
   if (type == RowType::FLUID) fluid_row(cloud.stencil(), i, d, A);
-  if (type == RowType::WALL) alpha = wall_row(cloud, i, isotropic(cloud, i, options), A);
+  if (type == RowType::WALL) wall = wall_row(cloud, i, options, A);
   if (type == RowType::SURFACE)
     normal_row(cloud, i, role & BALLISTIC ? 0.0 : options.surface_offset, A);
 
@@ -116,8 +144,8 @@ PpeRows count(const std::vector<RowType> &type)
   const auto rows = [&type](RowType which) {
     return static_cast<int>(std::count(type.begin(), type.end(), which));
   };
-  return {rows(RowType::FLUID), rows(RowType::WALL), rows(RowType::DIRICHLET),
-          rows(RowType::SINGULAR), rows(RowType::SURFACE)};
+  return {rows(RowType::FLUID),    rows(RowType::WALL),    rows(RowType::DIRICHLET),
+          rows(RowType::SINGULAR), rows(RowType::SURFACE), 0};
 }
 
 }    // namespace
@@ -129,9 +157,16 @@ PpeRows assemble_ppe(const Cloud &cloud, std::vector<double> &&laplacian, const 
   A.reset(s.rows(), s.ptr(), s.col(), std::move(laplacian));
   layout.type.resize(s.rows());
   layout.alpha.assign(s.rows(), 0.0);
-  for_rows(s.rows(),
-           [&](int i) { layout.type[i] = assemble_row(cloud, i, options, A, layout.alpha[i]); });
-  return count(layout.type);
+  int limited = 0;
+  for_rows(s.rows(), [&](int i) {
+    WallRow wall;
+    layout.type[i] = assemble_row(cloud, i, options, A, wall);
+    layout.alpha[i] = wall.alpha;
+    limited += wall.limited && layout.type[i] == RowType::WALL;
+  });
+  PpeRows rows = count(layout.type);
+  rows.limited = limited;
+  return rows;
 }
 
 void ppe_rhs(const Cloud &cloud, const PpeLayout &layout, const PpeFields &fields, double *b)

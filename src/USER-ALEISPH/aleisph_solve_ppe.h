@@ -29,6 +29,7 @@ enum class RowType : char { NONE, FLUID, WALL, DIRICHLET, SINGULAR, SURFACE };
 
 struct PpeRows {
   int fluid = 0, wall = 0, dirichlet = 0, singular = 0, surface = 0;
+  int limited = 0;    // of the wall rows, see MAX_WRONG_SIGN
 };
 
 // What each owned row is
@@ -53,6 +54,9 @@ inline double largest_pressure(double rho0, double d, double dt)
 }
 
 constexpr double MIN_WALL_DIAGONAL = 0.1;
+// With isotropic_walls, in wall rows next to a free surface: the largest sum of the weights whose sign
+// makes the diagonal smaller, over the sum of the others
+constexpr double MAX_WRONG_SIGN = 0.5;
 
 // laplacian: pair array of a_ij of the fluid rows; its memory becomes that of the matrix.
 // layout: one entry per owned row, written.

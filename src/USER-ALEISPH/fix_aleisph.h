@@ -43,7 +43,7 @@ class AleisphWarnings;
 struct AleisphTally {
   long ppe_builds = 0, precond_builds = 0, viscous_builds = 0, viscous_passes = 0, wall_passes = 0;
   int singular_rows = 0, dirichlet_rows = 0;    // of this rank, last assembly
-  int surface_rows = 0;
+  int surface_rows = 0, limited_rows = 0;
   int dry_walls = 0;          // of this rank
   int replaced_pivots = 0;    // of this rank, last preconditioner
 };

@@ -59,7 +59,7 @@ FixAleisphPPE::FixAleisphPPE(LAMMPS *lmp, int narg, char **arg) :
   parse(narg, arg);
 
   scalar_flag = vector_flag = 1;
-  size_vector = 13;
+  size_vector = 14;
   restart_file = 1;    // to be told when one is written
   global_freq = 1;
   extscalar = extvector = 0;
@@ -231,6 +231,7 @@ void FixAleisphPPE::assemble()
   tally.dirichlet_rows = rows.dirichlet;
   tally.singular_rows = rows.singular;
   tally.surface_rows = rows.surface;
+  tally.limited_rows = rows.limited;
   version_ = cloud.version();
 }
 
@@ -292,7 +293,8 @@ double FixAleisphPPE::compute_vector(int n)
     case 9: return solver_->solver().counts().builds;
     case 10: return solver_->solver().counts().fallbacks;
     case 11: return volume_change(report_->target);
-    default: return max_divergence() * update->dt;
+    case 12: return max_divergence() * update->dt;
+    default: return owner_->ranks().sum(owner_->tally().limited_rows);
   }
 }
 
