@@ -78,7 +78,8 @@ def cylinders(full):
 
 
 def wave(full):
-    for frame, shift in MOVING.items():
+    """Not without shifting: such runs blow up."""
+    for frame, shift in (("ale", "density"),):
         for nu, other in ((0, "amplitude"), (0.002, "decay")):
             errors = {"frequency": "relative", other: "relative"}
             what = "viscous" if nu else "inviscid"
