@@ -179,4 +179,14 @@ SurfaceCount detect_surface(Cloud &cloud, const SurfaceParams &params)
   return {count(SURFACE), count(BALLISTIC)};
 }
 
+bool in_film(const Cloud &cloud, int i)
+{
+  const Role *const role = cloud.role();
+  if (!(role[i] & SURFACE)) return false;
+  const Stencil &s = cloud.stencil();
+  for (int k = s.begin(i); k < s.end(i); k++)
+    if (bound_fluid(role[s.col()[k]]) && !(role[s.col()[k]] & SURFACE)) return false;
+  return true;
+}
+
 }    // namespace aleisph

@@ -46,5 +46,10 @@ struct SurfaceCount {
 // exchanged afterwards.
 SurfaceCount detect_surface(Cloud &cloud, const SurfaceParams &params);
 
+// A particle on the surface, and so are all its fluid neighbours: a film of one layer. There the
+// velocity off the layer is not known; only a wall gives its gradient a part along the normal, and
+// what is shifted off the wall while the film approaches it would gain speed in every step.
+bool in_film(const Cloud &cloud, int i);
+
 }    // namespace aleisph
 #endif

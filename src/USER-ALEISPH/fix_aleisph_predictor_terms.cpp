@@ -9,6 +9,7 @@
 #include "fix_aleisph_predictor.h"
 
 #include "aleisph_halo_owner.h"
+#include "aleisph_surface.h"
 #include "atom.h"
 #include "domain.h"
 #include "update.h"
@@ -83,7 +84,9 @@ void FixAleisphPredictor::add_convection(std::vector<double> &a)
     c = relative_.data();
   }
   aleisph::convection(cloud, cloud.fluid(), c, sliding_velocity(*owner_, sliding_), work_.data());
+  const bool carries = shifted();
   aleisph::for_rows(cloud.fluid(), [&](int i) {
+    if (carries && aleisph::in_film(cloud, i)) return;
     for (int k = 3 * i; k < 3 * i + 3; k++) a[k] -= work_[k];
   });
 }

@@ -14,6 +14,7 @@
 #include "atom.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,7 +40,8 @@ void FixAleisphPredictor::predict_walls()
    A wall particle that meets the fluid only now, in the first step of a
    simulation or after it was dry, need not have had its velocity: what comes
    together is stopped by the pressure of this step. So its v* is formed with
-   the normal velocity of the fluid.
+   the normal velocity of the fluid. After it was dry only what approaches counts:
+   fluid that leaves, at the edge of the support, would be drawn back at once.
 ------------------------------------------------------------------------- */
 
 void FixAleisphPredictor::meet_walls(double *vstar)
@@ -54,7 +56,8 @@ void FixAleisphPredictor::meet_walls(double *vstar)
   aleisph::for_rows(new_walls, [&](int i) {
     if (std::isnan(speed[i])) return;    // no fluid beside it
     const double *n = cloud.normal() + 3 * i, *v = before + 3 * i;
-    const double jump = speed[i] - (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+    double jump = speed[i] - (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+    if (memory[4 * i + 3] == AleisphFields::NEW) jump = std::min(0.0, jump);
     for (int c = 0; c < 3; c++) vstar[3 * i + c] += jump * n[c];
   });
 }

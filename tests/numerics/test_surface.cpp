@@ -837,3 +837,22 @@ TEST(Surface, WritesFluidRowsOnly)
   EXPECT_EQ(std::count(role.begin(), role.end(), FLUID | BUFFER),
             static_cast<long>(role.size()) - 2);
 }
+
+// One layer of fluid over a wall is a film; of three, the uppermost sees particles that are inside
+TEST(Film, AllFluidNeighboursAreOnTheSurface)
+{
+  for (int layers : {1, 3}) {
+    Scene scene;
+    scene.dim = 2;
+    scene.d = 1.0;
+    for (int i = 0; i < 12; i++) {
+      scene.add({1.0 * i, 0.0, 0.0}, WALL, {0.0, 1.0, 0.0});
+      for (int k = 1; k <= layers; k++)
+        scene.add({1.0 * i, 1.0 * k, 0.0}, k == layers ? FLUID | SURFACE : FLUID);
+    }
+    const Discretized ops(scene);
+    int films = 0;
+    for (const int i : scene.rows(FLUID)) films += in_film(ops.cloud(), i);
+    EXPECT_EQ(films, layers == 1 ? 12 : 0);
+  }
+}
