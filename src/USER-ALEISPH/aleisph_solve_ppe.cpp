@@ -85,14 +85,6 @@ double wall_row(const Cloud &cloud, int i, bool isotropic, CsrMatrix &A)
   return alpha;
 }
 
-bool next_to_surface(const Cloud &cloud, int i)
-{
-  const Stencil &s = cloud.stencil();
-  for (int k = s.begin(i); k < s.end(i); k++)
-    if (cloud.role()[s.col()[k]] & SURFACE) return true;
-  return false;
-}
-
 struct WallRow {
   double alpha = 0.0;
   bool limited = false;
@@ -103,7 +95,7 @@ struct WallRow {
 WallRow wall_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A)
 {
   WallRow row;
-  const bool surface = options.isotropic_walls && next_to_surface(cloud, i);
+  const bool surface = options.isotropic_walls && cloud.neighbours().any(i, SURFACE);
   row.alpha = wall_row(cloud, i, options.isotropic_walls && !surface, A);
   row.limited = surface && limit_wrong_signs(A, i);
   return row;

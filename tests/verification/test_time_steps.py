@@ -69,6 +69,9 @@ class TimeSteps(unittest.TestCase):
         """Energy gained; the largest E/E0 is printed with five decimals."""
         for d in (0.04, 0.02, 0.01):
             runs = {cfl: last("dam-break", d=d, cfl=cfl) for cfl in (0.2, 0.1, 0.05)}
+            for run in runs.values():
+                self.assertEqual(float(run["penetration"]["value"]), 0)
+                self.assertEqual(float(run["lost"]["value"]), 0)
             gain = {cfl: float(run["energy"]["value"]) - 1.0 for cfl, run in runs.items()}
             self.never_worse(gain, 1.0e-5)
             self.assertLessEqual(max(gain.values()), 1.5e-3)
