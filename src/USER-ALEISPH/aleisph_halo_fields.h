@@ -15,6 +15,7 @@
                                    body force, as they acted in the last step; on walls lap v of
                                    their viscous force. 4th component: NEW, SOLVED or MET
      given back     d_aleisph_gb   [pressure/length^2] of owned particles: aleisph_solve_leftover.h
+     surface layer  d2_aleisph_s   2 of owned fluid: aleisph_surface_layer.h; by fix aleisph/surface
    and, of the present positions only:
      predicted      v*             [velocity]    ghosts
      row types      what the last pressure equation made of each owned particle
@@ -65,6 +66,7 @@ class AleisphFields : protected Pointers {
   static constexpr double NEW = 0.0, SOLVED = 0.5, MET = 1.0;
   double *memory() { return property("aleisph_gp"); }    // 4 per owned particle
   double *given_back() const;                            // 1 per owned particle
+  double *surface_layer() { return property("aleisph_s"); }    // 2 per owned particle, or null
   // d2_NAME as one array, owned particles; null if there is none
   double *property(const std::string &name) const;
 

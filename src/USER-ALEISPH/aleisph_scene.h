@@ -132,6 +132,7 @@ class SurfaceTension : public SurfaceLoad {
 struct FreeSurface {
   bool present = false;
   double offset = 0.5;       // of the surface from its particles, in spacings
+  bool follows = false;      // it does not stay there: see aleisph_surface_layer.h
   double pressure = 0.0;     // outside
   double floor = 0.2;        // of the eigenvalues of M in L
   double dry_reach = 1.2;    // wall particles farther from all fluid, in spacings, are dry; 0: none

@@ -101,6 +101,13 @@ WallRow wall_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix
   return row;
 }
 
+// of the surface from its particle i
+double surface_offset(const Cloud &cloud, int i, const PpeOptions &options)
+{
+  if (cloud.role()[i] & BALLISTIC) return 0.0;
+  return options.surface_offset * (options.layer ? std::exp(options.layer[2 * i]) : 1.0);
+}
+
 RowType assemble_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMatrix &A,
                      WallRow &wall)
 {
@@ -109,8 +116,7 @@ RowType assemble_row(const Cloud &cloud, int i, const PpeOptions &options, CsrMa
   const RowType type = wanted_type(role);
   if (type == RowType::FLUID) fluid_row(cloud.stencil(), i, d, A);
   if (type == RowType::WALL) wall = wall_row(cloud, i, options, A);
-  if (type == RowType::SURFACE)
-    normal_row(cloud, i, role & BALLISTIC ? 0.0 : options.surface_offset, A);
+  if (type == RowType::SURFACE) normal_row(cloud, i, surface_offset(cloud, i, options), A);
 
   const bool derivative = type == RowType::FLUID || type == RowType::WALL ||
       type == RowType::SURFACE;
@@ -149,12 +155,11 @@ PpeRows assemble_ppe(const Cloud &cloud, std::vector<double> &&laplacian, const 
   A.reset(s.rows(), s.ptr(), s.col(), std::move(laplacian));
   layout.type.resize(s.rows());
   layout.alpha.assign(s.rows(), 0.0);
-  int limited = 0;
-  for_rows(s.rows(), [&](int i) {
+  const int limited = count_rows(s.rows(), [&](int i) {
     WallRow wall;
     layout.type[i] = assemble_row(cloud, i, options, A, wall);
     layout.alpha[i] = wall.alpha;
-    limited += wall.limited && layout.type[i] == RowType::WALL;
+    return wall.limited && layout.type[i] == RowType::WALL;
   });
   PpeRows rows = count(layout.type);
   rows.limited = limited;

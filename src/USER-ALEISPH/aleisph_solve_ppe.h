@@ -7,7 +7,8 @@
      surface    p_i + a N_i.(grad p)_i = p_surf
    R is n.grad p by the corrected gradient and alpha = 0 as published, else as in
    aleisph_wall_row.h. The free surface lies a length a outside of its particles: half a spacing
-   if each fills the volume around it; a = 0 is the published row.
+   if each fills the volume around it, and what the flow makes of that, see
+   aleisph_surface_layer.h; a = 0 is the published row.
    Rows are scaled by d^2 and d, so that every entry is of order one, every
    diagonal is positive and a residual r [pressure] means, times
    dt^2/(rho0 d^2), an error of |div v| dt in the fluid or of |v.n| dt/d at
@@ -40,7 +41,8 @@ struct PpeLayout {
 
 // How rows next to a free surface are made; the defaults are those of a scene without one
 struct PpeOptions {
-  double surface_offset = 0.0;     // a [length]
+  double surface_offset = 0.0;     // a [length], where the layer is that of a lattice
+  const double *layer = nullptr;   // see aleisph_surface_layer.h; null: it is so everywhere
   double min_wall_lambda = 0.0;    // wall rows below are singular
   int min_wall_fluid = 0;          // and those with fewer fluid neighbours
   bool isotropic_walls = false;    // wall rows by isotropic_wall_row(), where no surface is near

@@ -16,17 +16,16 @@ namespace {
 // where two layers are within the support, it is 0.02; where there is one layer, zero.
 constexpr double MIN_PIVOT = 2.0e-3;
 
-// function(j, omega, x_j - x_i in spacings) for the neighbours j of row i that are fluid as `is_fluid`
+// function(k, omega, x_j - x_i in spacings) for the pairs k of row i whose j is fluid as `is_fluid`
 // has it
 template <class Is, class F> void for_fluid(const Cloud &cloud, int i, Is &&is_fluid, F &&function)
 {
   const Stencil &s = cloud.stencil();
   const double d = cloud.spacing();
   for (int k = s.begin(i); k < s.end(i); k++) {
-    const int j = s.col()[k];
-    if (!is_fluid(cloud.role()[j])) continue;
+    if (!is_fluid(cloud.role()[s.col()[k]])) continue;
     const double omega = -cloud.volume() * s.dw()[k] * d * d / s.r()[k];
-    function(j, omega, Eigen::Vector3d(-separation(s, k) / d));
+    function(k, omega, Eigen::Vector3d(-separation(s, k) / d));
   }
 }
 
@@ -44,42 +43,46 @@ struct Mean {
 Mean mean_velocity(const Cloud &cloud, int i, const double *v)
 {
   Mean mean;
-  for_fluid(cloud, i, any_fluid, [&](int j, double omega, const Eigen::Vector3d &) {
+  for_fluid(cloud, i, any_fluid, [&](int k, double omega, const Eigen::Vector3d &) {
     mean.weight += omega;
-    mean.v += omega * at(v, j);
+    mean.v += omega * at(v, cloud.stencil().col()[k]);
   });
   if (mean.weight > 0.0) mean.v /= mean.weight;
   return mean;
 }
 
-// of value(j) over the fluid neighbours of particle i, at i; NaN is not known
-template <int D, class F> void fit(const Cloud &cloud, int i, const F &value, double &at_i)
+// set(k, weight) for the pairs k of the fit at particle i to those fluid neighbours j that are known(j)
+template <int D, class Known, class Set>
+void fit(const Cloud &cloud, int i, const Known &known, const Set &set)
 {
   using Vector = Eigen::Matrix<double, D + 1, 1>;
   using Matrix = Eigen::Matrix<double, D + 1, D + 1>;
+  const auto for_known = [&](const auto &function) {
+    for_fluid(cloud, i, bound_fluid, [&](int k, double omega, const Eigen::Vector3d &r) {
+      if (!known(cloud.stencil().col()[k])) return;
+      Vector f;
+      f << 1.0, r.head<D>();
+      function(k, omega, f);
+    });
+  };
   Matrix moments = Matrix::Zero();
-  Vector right = Vector::Zero();
-  for_fluid(cloud, i, bound_fluid, [&](int j, double omega, const Eigen::Vector3d &r) {
-    const double of_j = value(j);
-    if (std::isnan(of_j)) return;
-    Vector f;
-    f << 1.0, r.head<D>();
-    moments += omega * f * f.transpose();
-    right += omega * of_j * f;
-  });
+  for_known([&](int, double omega, const Vector &f) { moments += omega * f * f.transpose(); });
   if (moments(0, 0) == 0.0) return;
   const Eigen::LDLT<Matrix> solver(moments);
   const Vector pivots = solver.vectorD();
   const bool determined = pivots.minCoeff() > MIN_PIVOT * pivots.maxCoeff();
-  at_i = determined ? Vector(solver.solve(right))[0] : right[0] / moments(0, 0);
+  const Vector constant = Vector::Unit(0);
+  const Vector c = determined ? Vector(solver.solve(constant)) : Vector(constant / moments(0, 0));
+  for_known([&](int k, double omega, const Vector &f) { set(k, omega * c.dot(f)); });
 }
 
-template <class F> void fit(const Cloud &cloud, int i, const F &value, double &at_i)
+template <class Known, class Set>
+void fit(const Cloud &cloud, int i, const Known &known, const Set &set)
 {
   if (cloud.dim() == 2)
-    fit<2>(cloud, i, value, at_i);
+    fit<2>(cloud, i, known, set);
   else
-    fit<3>(cloud, i, value, at_i);
+    fit<3>(cloud, i, known, set);
 }
 
 }    // namespace
@@ -100,20 +103,64 @@ void slide_with_fluid(const Cloud &cloud, const Rows &walls, double *v)
   });
 }
 
-void normal_part_of_fluid(const Cloud &cloud, const Rows &walls, const double *v, double *out)
+FluidFit fit_to_walls(const Cloud &cloud, const Rows &walls)
+{
+  const Stencil &s = cloud.stencil();
+  FluidFit result{walls, {}, {}};
+  std::size_t pairs = 0;
+  for (const int i : walls) {
+    result.offset.push_back(pairs);
+    pairs += s.end(i) - s.begin(i);
+  }
+  result.weight.assign(pairs, 0.0);
+  for_rows(static_cast<int>(walls.size()), [&](int n) {
+    double *const weight = result.weight.data() + result.offset[n];
+    const int first = s.begin(walls[n]);
+    fit(
+        cloud, walls[n], [](int) { return true; }, [&](int k, double w) { weight[k - first] = w; });
+  });
+  return result;
+}
+
+void normal_part_of_fluid(const Cloud &cloud, const FluidFit &fit, const double *v, double *out)
+{
+  const Stencil &s = cloud.stencil();
+  for_rows(static_cast<int>(fit.walls.size()), [&](int n) {
+    const int i = fit.walls[n], first = s.begin(i);
+    const double *const weight = fit.weight.data() + fit.offset[n];
+    const Eigen::Vector3d normal = at(cloud.normal(), i);
+    double sum = 0.0;
+    bool any = false;
+    for (int k = first; k < s.end(i); k++) {
+      if (weight[k - first] == 0.0) continue;
+      any = true;
+      sum += weight[k - first] * normal.dot(at(v, s.col()[k]));
+    }
+    if (any) out[i] = sum;
+  });
+}
+
+void mean_normal_part(const Cloud &cloud, const Rows &walls, const double *v, double *out)
 {
   for_rows(walls, [&](int i) {
-    const Eigen::Vector3d n = at(cloud.normal(), i);
-    fit(
-        cloud, i, [&](int j) { return n.dot(at(v, j)); }, out[i]);
+    const Mean mean = mean_velocity(cloud, i, v);
+    if (mean.weight > 0.0) out[i] = mean.v.dot(at(cloud.normal(), i));
   });
 }
 
 void fit_to_fluid(const Cloud &cloud, const Rows &rows, double *f)
 {
+  const int *col = cloud.stencil().col();
   for_rows(rows, [&](int i) {
+    double sum = 0.0;
+    bool any = false;
     fit(
-        cloud, i, [f](int j) { return f[j]; }, f[i]);
+        cloud, i, [f](int j) { return !std::isnan(f[j]); },
+        [&](int k, double weight) {
+          sum += weight * f[col[k]];
+          any = true;
+        });
+    if (any) f[i] = sum;
   });
 }
 
@@ -121,7 +168,8 @@ void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f)
 {
   for_rows(walls, [&](int i) {
     double sum = 0.0, weights = 0.0;
-    for_fluid(cloud, i, bound_fluid, [&](int j, double omega, const Eigen::Vector3d &) {
+    for_fluid(cloud, i, bound_fluid, [&](int k, double omega, const Eigen::Vector3d &) {
+      const int j = cloud.stencil().col()[k];
       if (cloud.role()[j] & SURFACE) return;
       sum += omega * f[j];
       weights += omega;

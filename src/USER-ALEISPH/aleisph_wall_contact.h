@@ -11,6 +11,9 @@
 
 #include "aleisph_rows.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace aleisph {
 
 class Cloud;
@@ -21,9 +24,21 @@ Rows slip_walls(const Cloud &cloud);
 // which the fluid would have there. Their normal velocity stays. v: 3 per particle.
 void slide_with_fluid(const Cloud &cloud, const Rows &walls, double *v);
 
-// out[i]: part along the normal of a vector of the fluid, at the wall, by a linear fit, which is exact
-// for linear fields; the mean where the neighbours determine none. v: 3 per particle.
-void normal_part_of_fluid(const Cloud &cloud, const Rows &walls, const double *v, double *out);
+// Weights of the linear fit to the fluid neighbours of walls, which is exact for linear fields; those of
+// the mean where the neighbours determine no fit. Of the present positions.
+struct FluidFit {
+  Rows walls;
+  std::vector<std::size_t> offset;    // of the weights of the pairs of the n-th wall
+  std::vector<double> weight;         // zero for pairs with other particles
+};
+
+FluidFit fit_to_walls(const Cloud &cloud, const Rows &walls);
+
+// out[i]: part along the normal of a vector of the fluid, at the wall. v: 3 per particle.
+void normal_part_of_fluid(const Cloud &cloud, const FluidFit &fit, const double *v, double *out);
+
+// The same of the mean over the neighbours: between the least and the largest of them, wherever they are.
+void mean_normal_part(const Cloud &cloud, const Rows &walls, const double *v, double *out);
 
 // f[i]: mean of f over those neighbours that are not on the free surface, zero if there is none
 void mean_of_fluid(const Cloud &cloud, const Rows &walls, double *f);

@@ -39,7 +39,8 @@ constexpr const char *WRITTEN[AleisphFields::WRITTEN_FIELDS] = {"aleisph_u", "al
 
 // all that are kept with the particles, if the script has a fix that asks for them
 constexpr const char *KEPT[] = {"aleisph_p", "aleisph_vw", "aleisph_n", "aleisph_gp", "aleisph_gb",
-                                "aleisph_u", "aleisph_a",  "aleisph_w", "aleisph_dv"};
+                                "aleisph_u", "aleisph_a",  "aleisph_w", "aleisph_dv",
+                                "aleisph_s"};
 
 bool all_finite(const double *values, int n)
 {

@@ -242,6 +242,7 @@ aleisph::PpeOptions FixAleisphPPE::options() const
   options.isotropic_walls = params_.second_order;
   if (!owner_->scene().surface().present) return options;
   options.surface_offset = owner_->scene().surface().offset * owner_->cloud().spacing();
+  if (owner_->scene().surface().follows) options.layer = owner_->fields().surface_layer();
   const auto &cloud = owner_->cloud();
   options.min_wall_lambda = MIN_WALL_LAMBDA *
       aleisph::lattice_corner_lambda(cloud.kernel(), cloud.spacing());

@@ -11,6 +11,7 @@
 #include "aleisph_halo_solver.h"
 #include "aleisph_halo_variable.h"
 #include "aleisph_solve_viscous.h"
+#include "aleisph_wall_contact.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -46,7 +47,7 @@ FixAleisphPredictor::FixAleisphPredictor(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), owner_(nullptr), nu_(0.0), viscous_limit_(0.0), previous_dt_(0.0),
     memory_dt_(0.0), viscous_(std::make_unique<aleisph::CsrMatrix>()),
     solver_(std::make_unique<AleisphHaloSolver>(lmp, "Fix aleisph/predictor")),
-    viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
+    fit_(std::make_unique<aleisph::FluidFit>()), fit_version_(-1), viscous_version_(-1), viscous_dt_(0.0), viscous_iterations_(0)
 {
   parse(narg, arg);
   check_transport();
@@ -199,7 +200,7 @@ void FixAleisphPredictor::init()
   nu_ = owner_->fluid().nu;
   if (params_.nu >= 0.0) nu_ = params_.dynamic ? params_.nu / owner_->fluid().rho0 : params_.nu;
   owner_->scene().set_viscosity(nu_);
-  viscous_version_ = -1;
+  viscous_version_ = fit_version_ = -1;
   for (const auto &component : params_.transport) component.check();
   check_shift();
   check_other_integrators();

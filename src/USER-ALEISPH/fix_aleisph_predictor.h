@@ -30,6 +30,7 @@ FixStyle(aleisph/predictor,FixAleisphPredictor);
 
 namespace aleisph {
 class CsrMatrix;
+struct FluidFit;
 }
 
 namespace LAMMPS_NS {
@@ -121,6 +122,8 @@ class FixAleisphPredictor : public Fix, private aleisph::TimeStepLimit {
   std::vector<double> a_, work_, known_, relative_, sliding_;    // 3 per owned particle
   std::unique_ptr<aleisph::CsrMatrix> viscous_;
   std::unique_ptr<AleisphHaloSolver> solver_;
+  std::unique_ptr<aleisph::FluidFit> fit_;    // of no-slip walls, where no particle moves
+  long fit_version_;
   long viscous_version_;
   double viscous_dt_;
   int viscous_iterations_;

@@ -41,25 +41,34 @@ void FixAleisphPredictor::predict_walls()
    simulation or after it was dry, need not have had its velocity: what comes
    together is stopped by the pressure of this step. So its v* is formed with
    the normal velocity of the fluid. After it was dry only what approaches counts:
-   fluid that leaves, at the edge of the support, would be drawn back at once.
+   fluid that leaves, at the edge of the support, would be drawn back at once. And
+   there it is the mean over the neighbors: from a sheet that leaves the wall a
+   linear fit leads to fluid that approaches.
 ------------------------------------------------------------------------- */
 
 void FixAleisphPredictor::meet_walls(double *vstar)
 {
   const auto &cloud = owner_->cloud();
   const double *memory = owner_->fields().memory(), *before = owner_->fields().wall_velocity();
-  const aleisph::Rows new_walls = aleisph::select_rows(
-      cloud.wall(), [&](int i) { return memory[4 * i + 3] != AleisphFields::MET; });
-  if (new_walls.empty()) return;
+  const auto walls_that = [&](double state) {
+    return aleisph::select_rows(cloud.wall(),
+                                [&](int i) { return memory[4 * i + 3] == state; });
+  };
+  const aleisph::Rows first = walls_that(AleisphFields::SOLVED);
+  const aleisph::Rows wetted = walls_that(AleisphFields::NEW);
+  if (first.empty() && wetted.empty()) return;
+  const double *fluid = owner_->fields().velocity().all();
   std::vector<double> speed(atom->nlocal, std::numeric_limits<double>::quiet_NaN());
-  aleisph::normal_part_of_fluid(cloud, new_walls, owner_->fields().velocity().all(), speed.data());
-  aleisph::for_rows(new_walls, [&](int i) {
+  aleisph::normal_part_of_fluid(cloud, aleisph::fit_to_walls(cloud, first), fluid, speed.data());
+  aleisph::mean_normal_part(cloud, wetted, fluid, speed.data());
+  const auto meet = [&](int i, double most) {
     if (std::isnan(speed[i])) return;    // no fluid beside it
     const double *n = cloud.normal() + 3 * i, *v = before + 3 * i;
-    double jump = speed[i] - (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
-    if (memory[4 * i + 3] == AleisphFields::NEW) jump = std::min(0.0, jump);
-    for (int c = 0; c < 3; c++) vstar[3 * i + c] += jump * n[c];
-  });
+    const double jump = speed[i] - (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+    for (int c = 0; c < 3; c++) vstar[3 * i + c] += std::min(jump, most) * n[c];
+  };
+  aleisph::for_rows(first, [&](int i) { meet(i, std::numeric_limits<double>::max()); });
+  aleisph::for_rows(wetted, [&](int i) { meet(i, 0.0); });
 }
 
 /* ----------------------------------------------------------------------
@@ -98,8 +107,10 @@ void FixAleisphPredictor::find_wall_laplacian(double *lap)
   const aleisph::Rows rows = aleisph::select_rows(cloud.wall(), [&](int i) {
     return !(cloud.role()[i] & (aleisph::SLIP | aleisph::CURLCURL));
   });
+  if (fit_version_ != cloud.version()) *fit_ = aleisph::fit_to_walls(cloud, rows);
+  fit_version_ = cloud.version();
   std::vector<double> part(atom->nlocal, 0.0);
-  aleisph::normal_part_of_fluid(cloud, rows, work_.data(), part.data());
+  aleisph::normal_part_of_fluid(cloud, *fit_, work_.data(), part.data());
   aleisph::for_rows(rows, [&](int i) {
     for (int c = 0; c < 3; c++) lap[3 * i + c] = part[i] * cloud.normal()[3 * i + c];
   });

@@ -25,6 +25,8 @@ using namespace LAMMPS_NS;
 
 namespace {
 
+// Steps from one U of strain to the next: particles lose their order over tens of spacings
+constexpr bigint INTERVAL = 8;
 constexpr double MAX_VELOCITY = 1.0e4;    // spacings in a time step; beyond, a slip of the pen
 
 double dot(const double *a, const double *b)
@@ -103,7 +105,7 @@ double FixAleisphShift::largest_head(const double *g) const
 double FixAleisphShift::velocity_scale()
 {
   if (!velocity_) {
-    if (strain()) return flow_scale();
+    if (strain()) return started_ && update->ntimestep % INTERVAL ? scale_ : flow_scale();
     const bool falls = of_.empty() ? owner_->scene().surface().present : of_ == "head";
     return falls ? head() : largest_speed();
   }

@@ -9,6 +9,7 @@
 #include "aleisph_halo_owner.h"
 #include "aleisph_solve_ppe.h"
 #include "aleisph_surface.h"
+#include "aleisph_surface_layer.h"
 #include "aleisph_surface_stress.h"
 #include "atom.h"
 #include "domain.h"
@@ -32,18 +33,20 @@ namespace {
 // tension would destroy the drop.
 constexpr double OFFSET = 0.5, OFFSET_TENSION = 0.0;
 constexpr double REACH = 2.0, REACH_TENSION = 2.3;
+constexpr char LAYER_FIX[] = "ALEISPH_S";
 
 }    // namespace
 
 FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), params_(std::make_unique<aleisph::SurfaceParams>()),
     surface_(std::make_unique<aleisph::FreeSurface>()), offset_(-1.0), reach_(-1.0), viscous_(true),
-    owner_(nullptr), version_(-1), count_(std::make_unique<aleisph::SurfaceCount>())
+    fixed_(false), owner_(nullptr), version_(-1), count_(std::make_unique<aleisph::SurfaceCount>()),
+    limited_(0)
 {
   surface_->present = true;
   parse(narg, arg);
   vector_flag = 1;
-  size_vector = 5;
+  size_vector = 6;
   global_freq = 1;
   extvector = 0;
 }
@@ -51,6 +54,13 @@ FixAleisphSurface::FixAleisphSurface(LAMMPS *lmp, int narg, char **arg) :
 FixAleisphSurface::~FixAleisphSurface()
 {
   set_up_next_run(update);
+  if (modify && modify->get_fix_by_id(LAYER_FIX)) modify->delete_fix(LAYER_FIX);
+}
+
+void FixAleisphSurface::post_constructor()
+{
+  if (!fixed_ && offset_ != 0.0)
+    modify->add_fix(fmt::format("{} all property/atom d2_aleisph_s 2 writedata no", LAYER_FIX));
 }
 
 void FixAleisphSurface::parse(int narg, char **arg)
@@ -80,6 +90,10 @@ void FixAleisphSurface::parse(int narg, char **arg)
       surface_->pressure = utils::numeric(FLERR, value, false, lmp);
     } else if (key == "floor") {
       surface_->floor = number(0.0, 0.5);
+    } else if (key == "layer") {
+      if (value != "follow" && value != "fixed")
+        error->all(FLERR, "Fix aleisph/surface: layer must be follow or fixed, not {}", value);
+      fixed_ = value == "fixed";
     } else if (key == "viscous") {
       viscous_ = utils::logical(FLERR, value, false, lmp) == 1;
     } else if (key == "dry") {
@@ -100,6 +114,7 @@ void FixAleisphSurface::init()
   owner_->check_fluid_fix(this);
   const bool tension = !modify->get_fix_by_style("^aleisph/tension$").empty();
   surface_->offset = offset_ >= 0.0 ? offset_ : (tension ? OFFSET_TENSION : OFFSET);
+  surface_->follows = !fixed_ && surface_->offset > 0.0;
   params_->reach = reach_ >= 0.0 ? reach_ : (tension ? REACH_TENSION : REACH);
   owner_->scene().set_surface(*surface_);
   owner_->scene().set_load(this);
@@ -109,7 +124,7 @@ void FixAleisphSurface::init()
   version_ = -1;
 }
 
-void FixAleisphSurface::setup_pre_force(int vflag)
+void FixAleisphSurface::setup_pre_force(int)
 {
   const double most = aleisph::largest_pressure(owner_->fluid().rho0, owner_->cloud().spacing(),
                                                 update->dt);
@@ -118,13 +133,33 @@ void FixAleisphSurface::setup_pre_force(int vflag)
                "Fix aleisph/surface: pressure {} is above {:.4g}, where its rounding alone moves "
                "fluid; look at the units",
                surface_->pressure, most);
-  pre_force(vflag);
+  detect();
 }
 
 void FixAleisphSurface::pre_force(int)
 {
-  if (owner_->cloud().version() != version_) detect();
-  if (stressed()) find_stress();
+  detect();
+  if (follows()) follow();
+}
+
+// where particles move with the fluid, and what shifts them besides
+bool FixAleisphSurface::follows() const
+{
+  return surface_->follows && owner_->scene().moving() && !owner_->fields().property("aleisph_w");
+}
+
+// to the places that the velocity at the start of the step has led to
+void FixAleisphSurface::follow()
+{
+  const auto &cloud = owner_->cloud();
+  const aleisph::Field velocity = owner_->fields().velocity();
+  if (!velocity.ghosts_valid()) owner_->ranks().forward(velocity);
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
+  const aleisph::Rows rows = aleisph::layered_rows(cloud);
+  grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
+  aleisph::velocity_gradient(cloud, rows, sliding_velocity(*owner_, sliding_), grad_v_.data());
+  limited_ = aleisph::follow_layer(cloud, rows, grad_v_.data(), owner_->fields().property("aleisph_u"),
+                                   update->dt, owner_->fields().surface_layer());
 }
 
 // fix aleisph/tension has this stress in its own pressure
@@ -163,6 +198,12 @@ double FixAleisphSurface::memory_usage()
 
 void FixAleisphSurface::detect()
 {
+  if (owner_->cloud().version() != version_) find_particles();
+  if (stressed()) find_stress();
+}
+
+void FixAleisphSurface::find_particles()
+{
   auto &cloud = owner_->cloud();
   cloud.gradient();    // timed apart
   aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
@@ -172,7 +213,8 @@ void FixAleisphSurface::detect()
   version_ = cloud.version();
 }
 
-// particles on the surface, ballistic ones, dry wall particles, clamped inverses, PPE surface rows
+// particles on the surface, ballistic ones, dry wall particles, clamped inverses, PPE surface rows,
+// layers that are not stretched further
 double FixAleisphSurface::compute_vector(int n)
 {
   owner_ = FixAleisph::find(lmp, "Fix aleisph/surface");
@@ -182,6 +224,7 @@ double FixAleisphSurface::compute_vector(int n)
     case 1: return owner_->ranks().sum(count_->ballistic);
     case 2: return owner_->ranks().sum(owner_->tally().dry_walls);
     case 3: return owner_->ranks().sum(owner_->cloud().gradient().clamped());
-    default: return owner_->ranks().sum(owner_->tally().surface_rows);
+    case 4: return owner_->ranks().sum(owner_->tally().surface_rows);
+    default: return owner_->ranks().sum(limited_);
   }
 }

@@ -33,6 +33,7 @@ class FixAleisphSurface : public Fix, public aleisph::SurfaceLoad {
  public:
   FixAleisphSurface(class LAMMPS *, int, char **);
   ~FixAleisphSurface() override;
+  void post_constructor() override;
   int setmask() override;
   void init() override;
   void setup_pre_force(int) override;
@@ -46,16 +47,21 @@ class FixAleisphSurface : public Fix, public aleisph::SurfaceLoad {
  private:
   void parse(int narg, char **arg);
   void detect();
+  void find_particles();
   bool stressed() const;
   void find_stress();
+  bool follows() const;
+  void follow();
 
   std::unique_ptr<aleisph::SurfaceParams> params_;
   std::unique_ptr<aleisph::FreeSurface> surface_;
   double offset_, reach_;    // as given, < 0: the default
   bool viscous_;             // with the viscous stress
+  bool fixed_;               // the layer between particles and surface does not follow the flow
   class FixAleisph *owner_;
   long version_;    // of the positions that the flags belong to
   std::unique_ptr<aleisph::SurfaceCount> count_;
+  long limited_;             // layers at their largest stretch, this rank
   std::vector<double> p_, grad_v_, sliding_;
 };
 

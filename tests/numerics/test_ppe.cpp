@@ -296,6 +296,27 @@ TEST(Ppe, IsotropicRowsOnlyWhereTheyAreSound)
   EXPECT_GT(same, 0);
 }
 
+// The surface lies where the layer on its particles ends: p + a N.grad p, a = d/2 exp(s)
+TEST(Ppe, LayerOnTheSurface)
+{
+  Scene scene = open_tank(2, 8, 6, 4);
+  for (const int i : scene.rows(FLUID))
+    if (scene.points[i][1] > 3.5 * scene.d) {
+      scene.role[i] |= SURFACE;
+      scene.normal[3 * i + 1] = 1.0;
+    }
+  PpeOptions options;
+  options.surface_offset = 0.5 * scene.d;
+  const Ppe fixed(scene, options);
+  std::vector<double> layer(2 * scene.points.size(), 1.0e30);
+  for (std::size_t i = 0; i < scene.points.size(); i++) layer[2 * i] = std::log(1.25);
+  options.layer = layer.data();
+  const Ppe stretched(scene, options);
+  ASSERT_GT(fixed.rows().surface, 0);
+  for (const int i : scene.rows(SURFACE))
+    EXPECT_NEAR(stretched.A().diag(i) - 1.0, 1.25 * (fixed.A().diag(i) - 1.0), 1.0e-14);
+}
+
 namespace {
 
 // A convex edge of two walls, three layers of fluid before one of them; the uppermost, last one is a
