@@ -11,12 +11,12 @@
 
    Kept with each particle: s = ln(2 a/d), and its last change by strain, from
    which Adams-Bashforth extrapolates. As shifting mixes the layer with what is
-   below, s forgets its past, by RELAXATION per spacing of shift: with 1 a tank at
-   rest drifts within 1e5 steps, with 5 waves are damped more than without. It is a
-   property of smooth surfaces: where less than MIN_LAMBDA of the support is filled
-   (0.49 on a plane, lambda is the smallest eigenvalue of the moments), at edges, in
-   sheets and splashes, it is zero, and at most MAX_STRETCH elsewhere. Without these
-   two limits a dam break gains energy.
+   below, s forgets its past, by RELAXATION per spacing of shift: with 5 and less, a
+   wave of half a spacing grows after 60 periods. It is a property of smooth
+   surfaces: where less than MIN_LAMBDA of the support is filled (0.49 on a plane,
+   lambda is the smallest eigenvalue of the moments), at edges, in sheets and
+   splashes, it is zero, and at most MAX_STRETCH elsewhere. Without these two limits
+   a dam break gains energy.
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_ALEISPH_SURFACE_LAYER_H
@@ -29,7 +29,7 @@ namespace aleisph {
 class Cloud;
 
 struct SurfaceLayer {
-  static constexpr double RELAXATION = 2.5, MAX_STRETCH = 0.2, MIN_LAMBDA = 0.45;
+  static constexpr double RELAXATION = 10.0, MAX_STRETCH = 0.2, MIN_LAMBDA = 0.45;
 };
 
 // Rows whose particles have such a layer

@@ -108,10 +108,10 @@ FluidFit fit_to_walls(const Cloud &cloud, const Rows &walls)
   const Stencil &s = cloud.stencil();
   FluidFit result{walls, {}, {}};
   std::size_t pairs = 0;
-  for (const int i : walls) {
+  for_rows(walls, [&](int i) {
     result.offset.push_back(pairs);
     pairs += s.end(i) - s.begin(i);
-  }
+  });
   result.weight.assign(pairs, 0.0);
   for_rows(static_cast<int>(walls.size()), [&](int n) {
     double *const weight = result.weight.data() + result.offset[n];

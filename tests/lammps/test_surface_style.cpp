@@ -563,9 +563,34 @@ TEST(Surface, OutputBeforeTheFirstRun)
   const Scene scene = open_tank(2, 8);
   Simulation sim(scene);
   sim.run(tank_script(scene).text());
-  for (int k = 1; k <= 5; k++) EXPECT_EQ(sim.fix("surf", k), 0.0);
+  for (int k = 1; k <= 6; k++) EXPECT_EQ(sim.fix("surf", k), 0.0);
   EXPECT_NE(sim.error_of("unfix sph\nprint \"$(f_surf[1])\"").find("needs a fix aleisph"),
             std::string::npos);
+}
+
+// A wave that rises at x = 0: at x = 1/4 the layer is stretched at the rate cos(pi/4), s = ln(2 a/d), in
+// the first step by 3/2 of that (Adams-Bashforth without a step before). It stays through run 0 and the end of a run.
+TEST(Surface, LayerFollowsTheFlow)
+{
+  const Scene scene = open_tank(2, 8);
+  const auto stretch = [&scene](const std::string &words, int steps) {
+    Simulation sim(scene);
+    Script script = tank_script(scene);
+    script.surface = "fix surf fluid aleisph/surface " + words;
+    script.timestep = "timestep 0.005\n"
+                      "variable e atom exp(PI*y)\n"
+                      "variable u atom -sin(PI*x)*(v_e+1/v_e)/(PI*(exp(PI)+exp(-PI)))\n"
+                      "variable w atom cos(PI*x)*(v_e-1/v_e)/(PI*(exp(PI)+exp(-PI)))\n"
+                      "velocity fluid set v_u v_w 0";
+    sim.run(script.text() + fmt::format("run {}\nrun 0", steps));
+    sim.run("variable s atom d2_aleisph_s[1]*(abs(x-0.25)<0.01)\ncompute s fluid reduce max v_s\nrun 0");
+    return sim.variable("c_s");
+  };
+  const double rate = 0.005 * std::cos(M_PI / 4.0);    // per step
+  EXPECT_EQ(stretch("", 0), 0.0);
+  constexpr double ONE_SIDED = 0.2;    // error of the gradient on a surface: k d/2, d = 1/8
+  EXPECT_NEAR(stretch("", 4), 4.5 * rate, ONE_SIDED * 4.5 * rate);
+  EXPECT_NEAR(stretch("layer follow", 8), 8.5 * rate, ONE_SIDED * 8.5 * rate);
 }
 
 /* ----------------------------------------------------------------------
@@ -588,6 +613,7 @@ TEST(SurfaceErrors, Command)
       {"keyword", line("colour red"), {"ix aleisph/surface", "unknown keyword colour"}},
       {"value missing", line("row"), {"fix aleisph/surface row", "issing"}},
       {"row", line("row full"), {"ix aleisph/surface", "row must be half or centre", "full"}},
+      {"layer", line("layer yes"), {"ix aleisph/surface", "layer must be follow or fixed", "yes"}},
       {"word", line("lambda much"), {"much"}},
       {"nan", line("lambda nan"), {"nan"}},
       {"pressure", line("pressure 1e999"), {"1e999", "out of range"}},
