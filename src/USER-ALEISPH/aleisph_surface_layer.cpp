@@ -26,8 +26,9 @@ int follow_layer(const Cloud &cloud, const Rows &rows, const double *grad_v, con
                  double dt, double *layer)
 {
   constexpr double MOST = SurfaceLayer::MAX_STRETCH;
-  const std::vector<double> before(layer, layer + 2 * static_cast<std::size_t>(cloud.stencil().rows()));
-  std::fill_n(layer, before.size(), 0.0);
+  const auto size = 2 * static_cast<std::size_t>(cloud.stencil().rows());
+  const std::vector<double> before(layer, layer + size);
+  std::fill_n(layer, size, 0.0);
   return count_rows(rows, [&](int i) {
     const double *N = cloud.normal() + 3 * i;
     const double s = before[2 * i], last = before[2 * i + 1];

@@ -152,14 +152,22 @@ bool FixAleisphSurface::follows() const
 void FixAleisphSurface::follow()
 {
   const auto &cloud = owner_->cloud();
-  const aleisph::Field velocity = owner_->fields().velocity();
-  if (!velocity.ghosts_valid()) owner_->ranks().forward(velocity);
-  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
   const aleisph::Rows rows = aleisph::layered_rows(cloud);
+  if (!stressed()) find_gradient(rows);    // else the stress has found it on the whole surface
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
+  const double *shift = owner_->fields().property("aleisph_u");
+  limited_ = aleisph::follow_layer(cloud, rows, grad_v_.data(), shift, update->dt,
+                                   owner_->fields().surface_layer());
+}
+
+// of the velocity, at the start of the step
+void FixAleisphSurface::find_gradient(const std::vector<int> &rows)
+{
+  owner_->ranks().forward(owner_->fields().velocity());
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
   grad_v_.resize(9 * static_cast<std::size_t>(atom->nlocal));
-  aleisph::velocity_gradient(cloud, rows, sliding_velocity(*owner_, sliding_), grad_v_.data());
-  limited_ = aleisph::follow_layer(cloud, rows, grad_v_.data(), owner_->fields().property("aleisph_u"),
-                                   update->dt, owner_->fields().surface_layer());
+  aleisph::velocity_gradient(owner_->cloud(), rows, sliding_velocity(*owner_, sliding_),
+                             grad_v_.data());
 }
 
 // fix aleisph/tension has this stress in its own pressure
@@ -178,14 +186,11 @@ const double *FixAleisphSurface::surface_pressure() const
 void FixAleisphSurface::find_stress()
 {
   const auto &cloud = owner_->cloud();
-  owner_->ranks().forward(owner_->fields().velocity());
-  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
   const aleisph::Rows rows = aleisph::select_rows(
       cloud.fluid(), [&](int i) { return aleisph::bound_surface(cloud.role()[i]); });
-  const auto n = static_cast<std::size_t>(atom->nlocal);
-  grad_v_.resize(9 * n);
-  p_.assign(n, 0.0);
-  aleisph::velocity_gradient(cloud, rows, sliding_velocity(*owner_, sliding_), grad_v_.data());
+  find_gradient(rows);
+  aleisph::Timers::Scope scope(owner_->timers(), Part::SURFACE);
+  p_.assign(atom->nlocal, 0.0);
   const double mu = owner_->fluid().rho0 * owner_->scene().viscosity();
   aleisph::add_viscous_pressure(rows, cloud.normal(), mu, grad_v_.data(), domain->dimension,
                                 p_.data());

@@ -52,6 +52,7 @@ class FixAleisphSurface : public Fix, public aleisph::SurfaceLoad {
   void find_stress();
   bool follows() const;
   void follow();
+  void find_gradient(const std::vector<int> &rows);
 
   std::unique_ptr<aleisph::SurfaceParams> params_;
   std::unique_ptr<aleisph::FreeSurface> surface_;

@@ -569,7 +569,8 @@ TEST(Surface, OutputBeforeTheFirstRun)
 }
 
 // A wave that rises at x = 0: at x = 1/4 the layer is stretched at the rate cos(pi/4), s = ln(2 a/d), in
-// the first step by 3/2 of that (Adams-Bashforth without a step before). It stays through run 0 and the end of a run.
+// the first step by 3/2 of that (Adams-Bashforth without a step before). It stays through run 0 and
+// the end of a run.
 TEST(Surface, LayerFollowsTheFlow)
 {
   const Scene scene = open_tank(2, 8);
@@ -583,7 +584,8 @@ TEST(Surface, LayerFollowsTheFlow)
                       "variable w atom cos(PI*x)*(v_e-1/v_e)/(PI*(exp(PI)+exp(-PI)))\n"
                       "velocity fluid set v_u v_w 0";
     sim.run(script.text() + fmt::format("run {}\nrun 0", steps));
-    sim.run("variable s atom d2_aleisph_s[1]*(abs(x-0.25)<0.01)\ncompute s fluid reduce max v_s\nrun 0");
+    sim.run("variable s atom d2_aleisph_s[1]*(abs(x-0.25)<0.01)\n"
+            "compute s fluid reduce max v_s\nrun 0");
     return sim.variable("c_s");
   };
   const double rate = 0.005 * std::cos(M_PI / 4.0);    // per step
